@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geodrome/finding.hpp"
+#include "geodrome/geometry.hpp"
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+enum class InputKind { points, mesh };
+
+struct ReadOptions {
+  std::optional<InputKind> as;  ///< default: a mesh if the file holds faces
+  bool weld = false;            ///< merge vertices of a mesh at exactly the same place
+  bool drop_nonfinite = false;  ///< drop points of a cloud that are not finite, instead of refusing
+};
+
+/// Counts of the input check, over the elements as used (after merging and dropping).
+struct InputFacts {
+  std::size_t rows = 0;               ///< vertices or points in the file (STL: after exact welding)
+  std::size_t merged = 0, dropped = 0;
+  std::size_t faces_in_file = 0, polygons_split = 0, degenerate_faces_dropped = 0;
+  std::size_t zero_area_faces = 0;    ///< area at most 1e-14 times the longest edge squared
+  std::size_t duplicate_faces = 0;    ///< faces that name the same vertices as an earlier one
+  std::size_t duplicate_positions = 0;///< mesh vertices at the same place as an earlier one (not welded)
+  std::size_t isolated_vertices = 0;
+  std::size_t nonmanifold_edges = 0, nonmanifold_vertices = 0;
+  std::size_t components = 0, boundary_edges = 0, boundary_loops = 0;
+  bool manifold = true, oriented = true, orientable = true;
+  std::optional<long> euler_number, genus;  ///< genus: summed over components; only of manifold, orientable meshes
+  double bounding_box_diagonal = 0;
+};
+
+/// An input file after reading and checking. Nothing is lost: every row of the file has an entry in `element_of_row`.
+struct Input {
+  std::filesystem::path file;
+  std::string format;  ///< "off", "obj", "ply", "stl", "xyz"
+  std::string hash;    ///< of the file's bytes: 32 hexadecimal digits (XXH3, 128 bits)
+  InputKind kind = InputKind::points;
+  std::vector<Vec3> positions;           ///< the points or vertices used: finite; those of a cloud pairwise distinct
+  std::vector<Index> element_of_row;     ///< row of the file -> entry of `positions`; no_index if dropped
+  std::vector<Triangle> triangles;       ///< of a mesh: each with three different vertices
+  std::vector<Index> face_of_triangle;   ///< triangle -> face in the file
+  std::vector<Finding> findings;         ///< warnings and notes, told to the user; nothing here stops the run
+  InputFacts facts;
+};
+
+/// Reads OFF, OBJ, PLY (ascii, both endians), STL (ascii, binary) or XYZ, the format told by the content where the content
+/// tells and by the name otherwise, and checks it. Polygons are split into triangles. Throws InputError, naming file and
+/// element (line, vertex or face, from 0), for what cannot be used. O(n log n).
+Input read_input(const std::filesystem::path& file, const ReadOptions& options = {});
+
+/// Writes OFF, OBJ, PLY (binary, double) or STL by the name's ending, so that reading gives the same numbers (STL: float).
+/// Throws InputError (io) if it cannot be written, OptionError for an unknown ending.
+void write_mesh(const std::filesystem::path& file, const SurfaceMesh& mesh);
+
+/// Writes points as XYZ, PLY or OFF by the name's ending. Errors as `write_mesh`.
+void write_points(const std::filesystem::path& file, const std::vector<Vec3>& points);
+
+}  // namespace geodrome

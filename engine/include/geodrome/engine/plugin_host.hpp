@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geodrome/abi.hpp"
+#include "geodrome/engine/boundary.hpp"
+#include "geodrome/engine/plugin_info.hpp"
+
+namespace geodrome {
+
+/// What a search for plugins found: the usable ones by stage and name, and the refused files with the reason.
+struct PluginListing {
+  std::vector<PluginInfo> usable;
+  std::vector<PluginRefusal> refused;
+};
+
+/// A loaded plugin with its options: the stage object, what it is, what was chosen. Copies share the object.
+template <class Stage>
+struct Plugin {
+  std::shared_ptr<const Stage> object;
+  PluginInfo info;
+  OptionValues options;
+  double factor = 0;  ///< the guarantee with these options; +inf for none; meaningless for stages other than solver
+
+  /// Calls `function(object)` so that whatever leaves it names the plugin: see `boundary.hpp`.
+  template <class Function>
+  decltype(auto) call(Function&& function) const {
+    return cross_boundary(info, [&]() -> decltype(auto) { return function(*object); });
+  }
+};
+
+/// Finds, vets, loads and lists plugins. A library, once loaded, stays for the life of the process. Thread-safe.
+///
+/// Search order: `extra_folders`, GEODROME_PLUGIN_PATH (colon-separated), the folder `geodrome` beside the engine library.
+/// The first file that offers a stage and name wins. Never the working directory.
+class PluginHost {
+ public:
+  explicit PluginHost(std::vector<std::filesystem::path> extra_folders = {});
+
+  const std::vector<std::filesystem::path>& folders() const noexcept { return folders_; }
+
+  /// Vets every file of every folder in a child process; survives whatever they do.
+  PluginListing list() const;
+
+  /// Vets one file as `list` does. Throws PluginError with the reason if it is refused.
+  PluginInfo inspect(const std::filesystem::path& file) const;
+
+  /// Loads the plugin of a stage. `selection` is "name[:key=value,...]"; the name may carry its stage ("solver_cgal"), or
+  /// be the path of a file. Throws OptionError for an unknown name (with the valid ones and the folders searched) or an
+  /// option that is wrong, PluginError for a plugin that cannot be used (with file and reason).
+  template <class Stage>
+  Plugin<Stage> load(std::string_view selection) const {
+    Loaded loaded = load_object(Stage::stage, selection);
+    return {std::static_pointer_cast<const Stage>(std::move(loaded.object)), std::move(loaded.info),
+            std::move(loaded.options), loaded.factor};
+  }
+
+ private:
+  struct Loaded {
+    std::shared_ptr<const void> object;
+    PluginInfo info;
+    OptionValues options;
+    double factor;
+  };
+  Loaded load_object(std::string_view stage, std::string_view selection) const;
+
+  std::vector<std::filesystem::path> folders_;
+};
+
+}  // namespace geodrome

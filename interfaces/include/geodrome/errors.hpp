@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+
+// Exceptions cross the border between a plugin and the engine, so their type information must be visible on both sides.
+#if defined(__GNUC__)
+#define GEODROME_VISIBLE __attribute__((visibility("default")))
+#else
+#define GEODROME_VISIBLE
+#endif
+
+namespace geodrome {
+
+/// Base of everything that Geodrome throws: what is wrong, and what the user can do about it.
+/// The host adds the plugin's name with `attribute_to` when an error leaves a plugin.
+class GEODROME_VISIBLE Error : public std::runtime_error {
+ public:
+  explicit Error(std::string message, std::string remedy = {})
+      : std::runtime_error(message), message_(std::move(message)), remedy_(std::move(remedy)) {
+    compose();
+  }
+
+  const char* what() const noexcept override { return text_.c_str(); }
+  const std::string& message() const noexcept { return message_; }
+  const std::string& remedy() const noexcept { return remedy_; }
+  const std::string& plugin() const noexcept { return plugin_; }
+
+  /// Names the plugin that the error came from, once; later calls change nothing.
+  void attribute_to(std::string_view plugin) {
+    if (plugin_.empty()) plugin_ = plugin;
+    compose();
+  }
+
+ private:
+  void compose() {
+    text_ = plugin_.empty() ? message_ : plugin_ + ": " + message_;
+    if (!remedy_.empty()) text_ += "; " + remedy_;
+  }
+
+  std::string message_, remedy_, plugin_, text_;
+};
+
+/// What is wrong with an input; `name` gives the word that messages and reports use.
+enum class InputFault { io, empty, syntax, truncated, index, nonfinite, range, unsupported, degenerate, nonmanifold };
+
+constexpr std::string_view name(InputFault fault) {
+  constexpr std::string_view names[] = {"io",        "empty", "syntax",      "truncated",  "index",
+                                        "nonfinite", "range", "unsupported", "degenerate", "nonmanifold"};
+  return names[static_cast<std::size_t>(fault)];
+}
+
+/// The input cannot be read or cannot be used. The message names file and element.
+class GEODROME_VISIBLE InputError : public Error {
+ public:
+  InputError(InputFault fault, std::string message, std::string remedy = {})
+      : Error(std::string(name(fault)) + ": " + message, std::move(remedy)), fault_(fault) {}
+  InputFault fault() const noexcept { return fault_; }
+
+ private:
+  InputFault fault_;
+};
+
+/// An option, an option's value, or a name the user gave does not exist or is out of range.
+class GEODROME_VISIBLE OptionError : public Error {
+  using Error::Error;
+};
+
+/// A request goes beyond what a plugin `provides`, or a surface lacks what it `needs`.
+class GEODROME_VISIBLE CapabilityError : public Error {
+  using Error::Error;
+};
+
+/// The sample, or the surface made from it, is not fit: too sparse, no 2-manifold, too noisy.
+class GEODROME_VISIBLE SampleError : public Error {
+  using Error::Error;
+};
+
+/// A plugin cannot be loaded, or failed in a way of its own.
+class GEODROME_VISIBLE PluginError : public Error {
+  using Error::Error;
+};
+
+/// A computation lost the precision it needs, or an invariant that the theory promises does not hold.
+class GEODROME_VISIBLE NumericalError : public Error {
+  using Error::Error;
+};
+
+/// The user asked to stop.
+class GEODROME_VISIBLE Cancelled : public Error {
+ public:
+  Cancelled() : Error("cancelled") {}
+};
+
+}  // namespace geodrome

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "geodrome/geometry.hpp"
+
+namespace geodrome {
+
+/// Something a stage or the input check noticed. Findings never change the data: what was changed is told by one.
+struct Finding {
+  enum class Severity { note, warning, refusal };
+
+  Severity severity = Severity::note;
+  std::string code;             ///< stable, lower case, for programs: "duplicate_faces"
+  std::string message;          ///< one sentence for people, with the remedy where there is one
+  std::size_t count = 0;        ///< how many elements are concerned
+  std::vector<Index> elements;  ///< the first few of them; what they count (points, faces) is in the message
+};
+
+}  // namespace geodrome

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "geodrome/errors.hpp"
+
+namespace geodrome {
+
+enum class OptionType : std::uint32_t { boolean, integer, number, choice };
+
+/// One option of a plugin, declared once: help, validation, `plugins show` and the run report derive from it.
+/// Plain data, since it is read across the border to a plugin that may turn out to be incompatible.
+struct OptionSpec {
+  const char* name;
+  OptionType type;
+  const char* default_value;  ///< as a user would write it
+  double minimum, maximum;    ///< both allowed; integer and number only
+  const char* choices;        ///< "on|off"; choice only
+  const char* unit;           ///< "" where there is none
+  const char* help;
+};
+
+constexpr OptionSpec boolean_option(const char* name, const char* default_value, const char* help) {
+  return {name, OptionType::boolean, default_value, 0, 0, "on|off", "", help};
+}
+constexpr OptionSpec integer_option(const char* name, const char* default_value, double minimum, double maximum,
+                                    const char* unit, const char* help) {
+  return {name, OptionType::integer, default_value, minimum, maximum, "", unit, help};
+}
+constexpr OptionSpec number_option(const char* name, const char* default_value, double minimum, double maximum,
+                                   const char* unit, const char* help) {
+  return {name, OptionType::number, default_value, minimum, maximum, "", unit, help};
+}
+constexpr OptionSpec choice_option(const char* name, const char* default_value, const char* choices, const char* help) {
+  return {name, OptionType::choice, default_value, 0, 0, choices, "", help};
+}
+
+/// The checked values of a plugin's options. Immutable after construction; safe to share.
+class OptionValues {
+ public:
+  OptionValues() = default;
+
+  /// Takes "k=30,cap=off"; what is not named has its default. Throws OptionError for an unknown or repeated key and for
+  /// a value of the wrong type or out of range, naming what would be valid.
+  explicit OptionValues(std::span<const OptionSpec> specs, std::string_view text = {}) {
+    for (const OptionSpec& spec : specs) values_[spec.name] = spec.default_value;
+    std::map<std::string, bool, std::less<>> given;
+    while (!text.empty()) {
+      const std::string_view item = text.substr(0, text.find(','));
+      text.remove_prefix(std::min(text.size(), item.size() + 1));
+      const std::size_t equal = item.find('=');
+      const std::string key(item.substr(0, equal));
+      const OptionSpec& spec = find(specs, key);
+      if (equal == std::string_view::npos) throw OptionError("option '" + key + "' has no value", "write " + key + "=VALUE");
+      if (!given.emplace(key, true).second) throw OptionError("option '" + key + "' is given twice");
+      const std::string value(item.substr(equal + 1));
+      check(spec, value);
+      values_[key] = value;
+    }
+  }
+
+  bool boolean(std::string_view name) const { return text(name) == "on"; }
+  std::int64_t integer(std::string_view name) const { return static_cast<std::int64_t>(number(name)); }
+  double number(std::string_view name) const { return parse(text(name)); }
+
+  /// The value as text: the choice, or the number as the user wrote it. Throws std::out_of_range for a name that the
+  /// plugin did not declare, which is an error in the plugin.
+  const std::string& text(std::string_view name) const {
+    const auto found = values_.find(name);
+    if (found == values_.end()) throw std::out_of_range("option '" + std::string(name) + "' was never declared");
+    return found->second;
+  }
+
+  /// All options with their values, in alphabetical order.
+  const std::map<std::string, std::string, std::less<>>& all() const noexcept { return values_; }
+
+ private:
+  static const OptionSpec& find(std::span<const OptionSpec> specs, const std::string& key) {
+    std::string valid;
+    for (const OptionSpec& spec : specs) {
+      if (key == spec.name) return spec;
+      valid += (valid.empty() ? "" : ", ") + std::string(spec.name);
+    }
+    throw OptionError("unknown option '" + key + "'", valid.empty() ? "there are no options" : "valid options: " + valid);
+  }
+
+  static double parse(const std::string& text) {
+    double value = std::numeric_limits<double>::quiet_NaN();
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size() ? value : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  static bool is_choice(std::string_view choices, const std::string& value) {
+    const std::string all = "|" + std::string(choices) + "|";
+    return value.find('|') == std::string::npos && all.find("|" + value + "|") != std::string::npos;
+  }
+
+  static void check(const OptionSpec& spec, const std::string& value) {
+    const std::string what = "option '" + std::string(spec.name) + "': '" + value + "' is not ";
+    if (spec.type == OptionType::boolean || spec.type == OptionType::choice) {
+      if (!is_choice(spec.choices, value)) throw OptionError(what + "one of " + spec.choices);
+      return;
+    }
+    const double number = parse(value);
+    const bool whole = spec.type == OptionType::integer;
+    if (std::isnan(number) || (whole && number != std::floor(number)) || number < spec.minimum || number > spec.maximum)
+      throw OptionError(what + (whole ? "a whole number" : "a number") + " from " + shown(spec.minimum) + " to " + shown(spec.maximum));
+  }
+
+  static std::string shown(double value) {
+    char buffer[32];
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  }
+
+  std::map<std::string, std::string, std::less<>> values_;
+};
+
+}  // namespace geodrome

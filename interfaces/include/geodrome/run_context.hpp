@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "geodrome/errors.hpp"
+
+namespace geodrome {
+
+enum class LogLevel { debug, info, warning };
+
+/// What a plugin may ask and tell while it works. Every member is safe to call from any thread.
+class GEODROME_VISIBLE RunContext {
+ public:
+  virtual ~RunContext() = default;
+
+  /// Share of the stage's work done, in [0, 1]; cheap enough to call a thousand times a stage.
+  virtual void progress(double fraction) = 0;
+  virtual bool cancelled() const noexcept = 0;
+  virtual void log(LogLevel level, std::string_view message) = 0;
+  /// Puts a named figure of this stage into the run report; the last value of a name stays.
+  virtual void measure(std::string_view name, double value) = 0;
+  /// How many threads the plugin may use, at least 1. The result must not depend on it.
+  virtual unsigned threads() const noexcept = 0;
+  /// The only source of randomness.
+  virtual std::uint64_t seed() const noexcept = 0;
+
+  /// Long loops call this; throws Cancelled once the user asked to stop.
+  void throw_if_cancelled() const {
+    if (cancelled()) throw Cancelled();
+  }
+};
+
+/// One thread, seed 0, never cancelled, tells nobody: for tests and for short calls.
+class GEODROME_VISIBLE QuietContext : public RunContext {
+ public:
+  void progress(double) override {}
+  bool cancelled() const noexcept override { return false; }
+  void log(LogLevel, std::string_view) override {}
+  void measure(std::string_view, double) override {}
+  unsigned threads() const noexcept override { return 1; }
+  std::uint64_t seed() const noexcept override { return 0; }
+};
+
+}  // namespace geodrome

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <limits>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geodrome/run_context.hpp"
+#include "geodrome/shortest_path_map.hpp"
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+/// A point that distances are measured from; `start` >= 0 is added to them.
+struct Source {
+  SurfacePoint at;
+  double start = 0;
+};
+
+/// How much of the result must be kept.
+enum class Keep : std::uint8_t {
+  targets,  ///< vertices and the given targets only: little memory
+  map       ///< any point, and paths
+};
+
+struct Request {
+  double radius = std::numeric_limits<double>::infinity();  ///< distances above it are not wanted
+  std::span<const SurfacePoint> targets;                    ///< points beside the vertices; must outlive the run
+  bool stop_at_targets = false;                             ///< nothing beyond the farthest target is wanted
+  Keep keep = Keep::targets;
+};
+
+/// A running search: owns its buffers and is used again and again. One per thread.
+class GEODROME_VISIBLE Search {
+ public:
+  virtual ~Search() = default;
+
+  /// Distances from the nearest of `sources` (not empty). The map is valid until the next run. May throw Cancelled.
+  virtual const ShortestPathMap& run(std::span<const Source> sources, const Request& request, RunContext& context) = 0;
+};
+
+/// Distances between arbitrary pairs of points, after preprocessing. Immutable; thread-safe.
+class GEODROME_VISIBLE PairOracle {
+ public:
+  virtual ~PairOracle() = default;
+  virtual double distance(const SurfacePoint& from, const SurfacePoint& to) const = 0;
+  virtual void save(std::ostream& out) const = 0;
+};
+
+/// A mesh made ready for searches: immutable, shared by all threads; its searches may outlive neither it nor the plugin.
+class GEODROME_VISIBLE PreparedSurface {
+ public:
+  virtual ~PreparedSurface() = default;
+  virtual std::unique_ptr<Search> make_search() const = 0;
+  /// Memory held beyond the mesh, in bytes.
+  virtual std::size_t bytes() const = 0;
+  /// Builds the oracle, or reads one that `PairOracle::save` wrote. Null unless the solver provides pair_queries.
+  virtual std::unique_ptr<PairOracle> pair_oracle(std::istream* /*saved*/, RunContext&) const { return nullptr; }
+};
+
+/// Stage 5: shortest paths on a surface (Section 2.4). The guarantee of the distances is the descriptor's `factor`.
+class GEODROME_VISIBLE ShortestPathSolver {
+ public:
+  static constexpr const char* stage = "solver";
+  virtual ~ShortestPathSolver() = default;
+
+  /// The engine has checked the descriptor's `needs` against the mesh. Thread-safe.
+  virtual std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const = 0;
+};
+
+/// What a solver can do beyond distances from vertices to vertices (`PluginDescriptor::provides`).
+enum Provides : std::uint64_t {
+  start_distances = 1,     ///< sources with a start distance above 0
+  face_sources = 2,        ///< sources that are no vertices
+  radius_limit = 4,        ///< Request::radius
+  target_limit = 8,        ///< Request::stop_at_targets
+  any_point = 16,          ///< ShortestPathMap::at anywhere
+  paths = 32,              ///< ShortestPathMap::path
+  path_is_distance = 64,   ///< the path's length is the distance
+  pair_queries = 128,      ///< PreparedSurface::pair_oracle
+  weights = 256,           ///< SurfaceMesh::face_weights
+  factor_any_point = 512,  ///< the factor holds at any point, not only at vertices
+};
+
+/// What a solver needs of a mesh (`PluginDescriptor::needs`).
+enum Needs : std::uint64_t { manifold = 1, oriented = 2, closed = 4 };
+
+/// The distances of all vertices from one source: the short way for a single question.
+inline std::vector<double> distances(const ShortestPathSolver& solver, MeshPtr mesh, const SurfacePoint& source) {
+  QuietContext context;
+  const auto prepared = solver.prepare(std::move(mesh), context);
+  const auto search = prepared->make_search();
+  const Source start{source, 0};
+  const auto values = search->run({&start, 1}, {}, context).vertices();
+  return {values.begin(), values.end()};
+}
+
+}  // namespace geodrome

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "geodrome/control_function.hpp"
+#include "geodrome/finding.hpp"
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+/// A surface that has one more sample point as a vertex.
+struct Inserted {
+  MeshPtr mesh;
+  Index vertex = no_index;
+};
+
+/// Makes S_conf + s_src surfaces (Section 2.4) from a reconstruction.
+class GEODROME_VISIBLE PointInserter {
+ public:
+  virtual ~PointInserter() = default;
+
+  /// The surface with sample point `sample` as a vertex; the reconstruction itself is not changed. Thread-safe.
+  virtual Inserted with(Index sample) const = 0;
+};
+
+/// `sample_of_vertex`: the sample point of each vertex of `mesh`, no_index for a vertex that is none.
+/// `inserter` is null where the reconstructor cannot insert.
+struct Reconstruction {
+  MeshPtr mesh;
+  std::vector<Index> sample_of_vertex;
+  std::vector<Finding> findings;
+  std::unique_ptr<PointInserter> inserter;
+};
+
+/// Stage 4: a triangle mesh with the kept points as vertices (Section 2.3).
+class GEODROME_VISIBLE SurfaceReconstructor {
+ public:
+  static constexpr const char* stage = "reconstructor";
+  virtual ~SurfaceReconstructor() = default;
+
+  /// `kept`: ascending indices into `sample`. The mesh is a 2-manifold, closed or bordered, oriented; where none can be
+  /// had SampleError gives the reasons: nothing wrong is returned quietly. Thread-safe.
+  virtual Reconstruction reconstruct(const PointSample& sample, const Tangents& tangents, const Control& control,
+                                     std::span<const Index> kept, RunContext& context) const = 0;
+};
+
+}  // namespace geodrome
