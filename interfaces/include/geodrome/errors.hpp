@@ -79,6 +79,11 @@ class GEODROME_VISIBLE SampleError : public Error {
   using Error::Error;
 };
 
+/// The engine declines a job that could be done but should not be: not enough disk, too large without consent.
+class GEODROME_VISIBLE RefusedError : public Error {
+  using Error::Error;
+};
+
 /// A plugin cannot be loaded, or failed in a way of its own.
 class GEODROME_VISIBLE PluginError : public Error {
   using Error::Error;

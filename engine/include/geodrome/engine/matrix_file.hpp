@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace geodrome {
+
+enum class ScalarType { float64, float32 };
+
+/// A distance matrix on disk that is written row by row, in any order, from any thread, and survives the end of the
+/// process at any moment. Rows = sources, columns = targets.
+///
+/// While it grows it is one file, OUT.partial: the .npy file as it will be, then a footer with the fingerprint of the run
+/// and a 64-bit checksum per row, which tells the rows that are whole. `finish` cuts the footer off and renames the file
+/// (for .csv: writes the text, then removes the .partial). Nothing else is left on disk.
+class MatrixFile {
+ public:
+  struct Spec {
+    std::filesystem::path out;  ///< ends in .npy or .csv
+    std::uint64_t rows = 0, columns = 0;
+    ScalarType scalar = ScalarType::float64;
+    std::string fingerprint;    ///< text that two runs share exactly if their matrices are the same bytes
+  };
+
+  /// Size of the .npy file, in bytes.
+  static std::uint64_t bytes(const Spec& spec);
+
+  /// Starts OUT.partial, or with `resume` goes on with the one that is there. Throws OptionError for an unknown ending or a
+  /// .csv of more than 1e6 entries, InputError (io) if it cannot be written,
+  /// RefusedError if the disk has not enough room, or on `resume` if the fingerprint differs (saying in which part: the
+  /// fingerprint is a JSON object, its members are compared) or the partial is damaged. A .partial that is there
+  /// is overwritten without `resume`. With `resume` and no .partial it starts anew.
+  static MatrixFile open(const Spec& spec, bool resume);
+
+  MatrixFile(MatrixFile&&) noexcept;
+  MatrixFile& operator=(MatrixFile&&) noexcept;
+  ~MatrixFile();  ///< leaves the .partial where it is
+
+  bool has(std::uint64_t row) const;
+  std::uint64_t rows_done() const;
+
+  /// Writes one row; safe to call from several threads for different rows. Throws InputError (io), naming the file and
+  /// the system's reason, e.g. when the disk is full.
+  void write(std::uint64_t row, std::span<const double> values);
+
+  /// Reads a row that is there back, as stored.
+  std::vector<double> read(std::uint64_t row) const;
+
+  /// Precondition: every row is there. Afterwards `spec.out` exists and OUT.partial does not.
+  void finish();
+
+ private:
+  struct Impl;
+  explicit MatrixFile(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace geodrome

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+struct ClosestPoint {
+  SurfacePoint at;
+  double distance = 0;  ///< in space, units of the input
+};
+
+/// Closest surface points: an R-tree over triangle boxes with an exact point-triangle distance. Immutable; thread-safe.
+class SurfaceLocator {
+ public:
+  /// The mesh must have a face. O(F log F).
+  explicit SurfaceLocator(MeshPtr mesh);
+  ~SurfaceLocator();
+
+  /// The globally closest point of the surface; ties go to the lowest face. A point that is a vertex is found as that
+  /// vertex, exactly (a barycentric coordinate equal to 1). O(log F) typically.
+  ClosestPoint closest(const Vec3& query) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<const Impl> impl_;
+};
+
+}  // namespace geodrome
