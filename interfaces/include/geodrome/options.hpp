@@ -100,7 +100,8 @@ class OptionValues {
   }
 
   static bool is_choice(std::string_view choices, const std::string& value) {
-    const std::string all = "|" + std::string(choices) + "|";
+    std::string all = "|";
+    all.append(choices).append("|");
     return value.find('|') == std::string::npos && all.find("|" + value + "|") != std::string::npos;
   }
 

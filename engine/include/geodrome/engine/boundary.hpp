@@ -24,18 +24,20 @@ class PluginScope {
 };
 
 /// Installs handlers for SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT and std::terminate that write which plugin and stage
-/// was running on that thread, and what to do, to standard error and end the process with status 5 (1 if no plugin
-/// was running). For programs, not for libraries: call it once in main.
+/// was running on that thread (or else, for a thread that a plugin started, on any), and what to do, to standard error
+/// and end the process with status 5 (1 if no plugin was running). Also told are stack overflows on threads that enter
+/// plugins through `cross_boundary`. For programs, not for libraries: call it once in main.
 void install_crash_handlers() noexcept;
 
-/// Runs `function`, which calls into `plugin`: the only way the engine does so. A geodrome::Error keeps its type and gains
-/// the plugin's name; any other exception becomes a PluginError that says plugin, stage and what was thrown.
+/// Runs `function`, which calls into `plugin`: the only way the engine does so. A geodrome::Error keeps its type and
+/// gains the plugin's name; any other exception becomes a PluginError that says plugin, stage and what was thrown.
 template <class Function>
 decltype(auto) cross_boundary(const PluginInfo& plugin, Function&& function) {
   const PluginScope scope(plugin);
   const auto fail = [&](const std::string& what) -> PluginError {
-    PluginError error("stage " + plugin.stage + " failed: " + what,
-                      "choose another " + plugin.stage + " plugin, or report this to the author of " + plugin.file.string());
+    PluginError error(
+        "stage " + plugin.stage + " failed: " + what,
+        "choose another " + plugin.stage + " plugin, or report this to the author of " + plugin.file.string());
     error.attribute_to(plugin.full_name());
     return error;
   };

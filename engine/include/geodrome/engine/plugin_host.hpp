@@ -36,23 +36,27 @@ struct Plugin {
 
 /// Finds, vets, loads and lists plugins. A library, once loaded, stays for the life of the process. Thread-safe.
 ///
-/// Search order: `extra_folders`, GEODROME_PLUGIN_PATH (colon-separated), the folder `geodrome` beside the engine library.
-/// The first file that offers a stage and name wins. Never the working directory.
+/// Search order: `extra_folders`, GEODROME_PLUGIN_PATH (colon-separated), the folder `geodrome` beside the engine
+/// library; never the working directory. The first file called <stage>_<name>.so that offers that stage and name wins;
+/// where there is none, the first file of any name that does, in the order of folders and then of file names.
 class PluginHost {
  public:
+  /// Throws OptionError for an extra folder that is not there.
   explicit PluginHost(std::vector<std::filesystem::path> extra_folders = {});
 
   const std::vector<std::filesystem::path>& folders() const noexcept { return folders_; }
 
-  /// Vets every file of every folder in a child process; survives whatever they do.
+  /// Vets every file (*.so) of every folder in a child process each, at most 10 s (GEODROME_VET_TIMEOUT: another number
+  /// of seconds); survives whatever they do. `usable` is sorted by stage and name; a file whose offer is hidden by one
+  /// that goes before it is among the refused. Throws PluginError if the program geodrome-vet is missing.
   PluginListing list() const;
 
   /// Vets one file as `list` does. Throws PluginError with the reason if it is refused.
   PluginInfo inspect(const std::filesystem::path& file) const;
 
-  /// Loads the plugin of a stage. `selection` is "name[:key=value,...]"; the name may carry its stage ("solver_cgal"), or
-  /// be the path of a file. Throws OptionError for an unknown name (with the valid ones and the folders searched) or an
-  /// option that is wrong, PluginError for a plugin that cannot be used (with file and reason).
+  /// Loads the plugin of a stage. `selection` is "name[:key=value,...]"; the name may carry its stage ("solver_cgal"),
+  /// or be the path of a file. Throws OptionError for an unknown name (with the valid ones and the folders searched) or
+  /// an option that is wrong, PluginError for a plugin that cannot be used (with file and reason).
   template <class Stage>
   Plugin<Stage> load(std::string_view selection) const {
     Loaded loaded = load_object(Stage::stage, selection);
@@ -68,6 +72,8 @@ class PluginHost {
     double factor;
   };
   Loaded load_object(std::string_view stage, std::string_view selection) const;
+  PluginInfo find(std::string_view stage, const std::string& name) const;
+  PluginInfo known_or_inspected(const std::filesystem::path& file) const;
 
   std::vector<std::filesystem::path> folders_;
 };

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "geodrome/engine/boundary.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <exception>
+
+namespace geodrome {
+namespace {
+
+/// Read in signal handlers, so it must exist from a thread's first moment: lazy allocation would not be safe there.
+__attribute__((tls_model("initial-exec"))) thread_local const PluginInfo* running = nullptr;
+
+std::atomic<bool> handlers_installed{false};
+
+/// What runs on any thread, so that a crash on a thread that a plugin started itself finds its plugin too: a few slots,
+/// claimed by outermost scopes. A scope that finds none free goes without.
+constexpr int slot_count = 64, no_slot = -1;
+std::atomic<const PluginInfo*> running_somewhere[slot_count];
+thread_local int slot = no_slot;
+
+void claim_slot(const PluginInfo& plugin) noexcept {
+  for (int i = 0; i < slot_count && slot == no_slot; ++i) {
+    const PluginInfo* free = nullptr;
+    if (running_somewhere[i].compare_exchange_strong(free, &plugin)) slot = i;
+  }
+}
+
+void release_slot() noexcept {
+  if (slot != no_slot) running_somewhere[slot] = nullptr;
+  slot = no_slot;
+}
+
+const PluginInfo* suspect() noexcept {
+  if (running != nullptr) return running;
+  for (const auto& other : running_somewhere)
+    if (const PluginInfo* plugin = other) return plugin;
+  return nullptr;
+}
+
+/// A stack of its own for the handler, one per thread that runs plugins, so that a stack overflow can be told too.
+class HandlerStack {
+ public:
+  HandlerStack() noexcept : memory_(new (std::nothrow) char[size]) {
+    const stack_t stack{memory_, 0, size};
+    if (memory_) sigaltstack(&stack, nullptr);
+  }
+  ~HandlerStack() {
+    const stack_t none{nullptr, SS_DISABLE, 0};
+    sigaltstack(&none, nullptr);
+    delete[] memory_;
+  }
+  HandlerStack(const HandlerStack&) = delete;
+  HandlerStack& operator=(const HandlerStack&) = delete;
+
+ private:
+  static constexpr std::size_t size = 64 << 10;
+  char* memory_;
+};
+
+void provide_handler_stack() noexcept { static thread_local const HandlerStack stack; }
+
+/// Async-signal-safe: nothing here allocates or locks.
+void say(const char* text) noexcept {
+  for (std::size_t left = std::strlen(text); left > 0;) {
+    const ssize_t count = write(STDERR_FILENO, text, left);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return;
+    text += count, left -= static_cast<std::size_t>(count);
+  }
+}
+
+[[noreturn]] void end_with_message(const char* what, const char* detail) noexcept {
+  const PluginInfo* plugin = suspect();
+  if (plugin == nullptr) {
+    for (const char* part : {"geodrome: ", what, detail, " outside of any plugin; please report this\n"}) say(part);
+    _exit(1);
+  }
+  const char* stage = plugin->stage.c_str();
+  for (const char* part : {"geodrome: plugin ", stage, "_", plugin->name.c_str(), " (stage ", stage, ") ", what, detail,
+                           " while computing; choose another ", stage, " plugin or report this to its author (",
+                           plugin->file.c_str(), ")\n"})
+    say(part);
+  _exit(5);
+}
+
+const char* signal_name(int signal) noexcept {
+  switch (signal) {
+    case SIGSEGV:
+      return "SIGSEGV";
+    case SIGBUS:
+      return "SIGBUS";
+    case SIGFPE:
+      return "SIGFPE";
+    case SIGILL:
+      return "SIGILL";
+    case SIGABRT:
+      return "SIGABRT";
+    default:
+      return "a signal";
+  }
+}
+
+void on_crash(int signal) { end_with_message("crashed with ", signal_name(signal)); }
+
+[[noreturn]] void on_terminate() noexcept {
+  if (!std::current_exception()) end_with_message("called std::terminate", "");
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    end_with_message("ended the program with an exception: ", error.what());
+  } catch (...) {
+    end_with_message("ended the program with an exception of unknown type", "");
+  }
+}
+
+}  // namespace
+
+PluginScope::PluginScope(const PluginInfo& plugin) noexcept : previous_(running) {
+  if (previous_ == nullptr && handlers_installed.load(std::memory_order_relaxed)) {
+    provide_handler_stack();
+    claim_slot(plugin);
+  }
+  running = &plugin;
+}
+
+PluginScope::~PluginScope() {
+  running = previous_;
+  if (previous_ == nullptr) release_slot();
+}
+
+void install_crash_handlers() noexcept {
+  provide_handler_stack();
+  handlers_installed = true;
+  std::set_terminate(on_terminate);
+  struct sigaction action {};
+  action.sa_handler = on_crash;
+  action.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
+}
+
+}  // namespace geodrome

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace geodrome {
+
+/// How a child process ended. Exactly one of `exited`, `signal` and `timed_out` is set.
+struct ChildEnd {
+  bool exited = false, timed_out = false;
+  int status = 0, signal = 0;
+  std::string out, err;  ///< what it wrote; the rest beyond 1 MiB each is dropped
+};
+
+/// Runs a program with its standard input empty and waits for its end, at most for `limit`; then it and what it
+/// started is killed. Uses posix_spawn, which unlike fork is safe in a program with threads. Throws PluginError if the
+/// program cannot be started. Thread-safe.
+ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                   std::chrono::milliseconds limit);
+
+}  // namespace geodrome

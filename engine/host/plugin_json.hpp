@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "geodrome/engine/plugin_info.hpp"
+
+/// How `geodrome-vet` tells the host what a plugin is. JSON has no infinity: it is written as "inf" and "-inf".
+namespace geodrome {
+
+inline nlohmann::json json_number(double value) {
+  if (std::isfinite(value)) return value;
+  return value > 0 ? "inf" : "-inf";
+}
+
+inline double number_from_json(const nlohmann::json& json) {
+  if (json.is_number()) return json.get<double>();
+  const double infinity = std::numeric_limits<double>::infinity();
+  return json.get<std::string>() == "inf" ? infinity : -infinity;
+}
+
+inline void to_json(nlohmann::json& json, const OptionInfo& option) {
+  json = {{"name", option.name},
+          {"type", static_cast<std::uint32_t>(option.type)},
+          {"default", option.default_value},
+          {"minimum", json_number(option.minimum)},
+          {"maximum", json_number(option.maximum)},
+          {"choices", option.choices},
+          {"unit", option.unit},
+          {"help", option.help}};
+}
+
+inline void from_json(const nlohmann::json& json, OptionInfo& option) {
+  json.at("name").get_to(option.name);
+  option.type = static_cast<OptionType>(json.at("type").get<std::uint32_t>());
+  json.at("default").get_to(option.default_value);
+  option.minimum = number_from_json(json.at("minimum"));
+  option.maximum = number_from_json(json.at("maximum"));
+  json.at("choices").get_to(option.choices);
+  json.at("unit").get_to(option.unit);
+  json.at("help").get_to(option.help);
+}
+
+/// Everything but `file`, which the host knows.
+inline void to_json(nlohmann::json& json, const PluginInfo& plugin) {
+  json = {{"stage", plugin.stage},
+          {"name", plugin.name},
+          {"summary", plugin.summary},
+          {"licence", plugin.licence},
+          {"needs", plugin.needs},
+          {"provides", plugin.provides},
+          {"default_factor", json_number(plugin.default_factor)},
+          {"options", plugin.options}};
+}
+
+inline void from_json(const nlohmann::json& json, PluginInfo& plugin) {
+  json.at("stage").get_to(plugin.stage);
+  json.at("name").get_to(plugin.name);
+  json.at("summary").get_to(plugin.summary);
+  json.at("licence").get_to(plugin.licence);
+  json.at("needs").get_to(plugin.needs);
+  json.at("provides").get_to(plugin.provides);
+  plugin.default_factor = number_from_json(json.at("default_factor"));
+  json.at("options").get_to(plugin.options);
+}
+
+}  // namespace geodrome

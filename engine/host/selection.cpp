@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "engine/host/selection.hpp"
+
+namespace geodrome {
+namespace {
+
+constexpr std::string_view extension = ".so";
+
+/// Where the name or file ends: at the end, at ".so:", or, in a name, at the first colon.
+std::size_t end_of_target(std::string_view text) {
+  const std::size_t colon = text.find(".so:");
+  if (colon != std::string_view::npos) return colon + extension.size();
+  return text.ends_with(extension) ? text.size() : std::min(text.size(), text.find(':'));
+}
+
+}  // namespace
+
+Selection parse_selection(std::string_view stage, std::string_view text) {
+  const std::size_t end = end_of_target(text);
+  std::string_view target = text.substr(0, end);
+  Selection selection;
+  if (end < text.size()) selection.options = text.substr(end + 1);
+  if (target.ends_with(extension) || target.find('/') != std::string_view::npos) {
+    selection.file = std::filesystem::weakly_canonical(std::filesystem::path(target));
+    return selection;
+  }
+  if (target.size() > stage.size() && target.starts_with(stage) && target[stage.size()] == '_')
+    target.remove_prefix(stage.size() + 1);
+  selection.name = target;
+  return selection;
+}
+
+}  // namespace geodrome

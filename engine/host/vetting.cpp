@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "engine/host/vetting.hpp"
+
+#define BOOST_DLL_USE_STD_FS
+#include <boost/dll/runtime_symbol_info.hpp>
+#include <cstdlib>
+#include <cstring>
+
+#include "engine/host/child.hpp"
+#include "engine/host/plugin_json.hpp"
+#include "geodrome/abi.hpp"
+#include "geodrome/errors.hpp"
+
+namespace geodrome {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double default_limit_seconds = 10;
+constexpr double longest_limit_seconds = 3600;
+
+fs::path vet_program() {
+  std::string tried;
+  for (const char* from_engine : {GEODROME_BIN_FROM_LIB, "../bin"}) {
+    const fs::path program = (engine_folder() / from_engine / "geodrome-vet").lexically_normal();
+    std::error_code error;
+    if (fs::is_regular_file(program, error)) return program;
+    if (tried != program.string()) tried += (tried.empty() ? "" : ", ") + program.string();
+  }
+  throw PluginError("the program geodrome-vet, which tests plugins, is missing (looked for " + tried + ")",
+                    "install Geodrome completely");
+}
+
+double limit_in_seconds() {
+  const char* text = std::getenv("GEODROME_VET_TIMEOUT");
+  if (text == nullptr) return default_limit_seconds;
+  char* end = nullptr;
+  const double seconds = std::strtod(text, &end);
+  if (end == text || *end != '\0' || !(seconds > 0 && seconds <= longest_limit_seconds))
+    throw OptionError("GEODROME_VET_TIMEOUT: '" + std::string(text) +
+                      "' is not a number of seconds above 0, up to 3600");
+  return seconds;
+}
+
+/// The last line that is not blank: what a process that died had to say.
+std::string last_words(const std::string& text) {
+  constexpr std::size_t longest = 300;
+  const std::size_t end = text.find_last_not_of(" \t\r\n");
+  if (end == std::string::npos) return {};
+  const std::size_t begin = text.find_last_of('\n', end) + 1;
+  return " (it said: " + text.substr(begin, std::min(longest, end + 1 - begin)) + ")";
+}
+
+std::string shown(double seconds) {
+  std::string text = std::to_string(seconds);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text + " s";
+}
+
+/// Takes the answer of `geodrome-vet` apart. Throws nlohmann's exceptions for what is no answer.
+std::variant<PluginInfo, PluginRefusal> read_answer(const fs::path& file, const ChildEnd& end) {
+  const nlohmann::json answer = nlohmann::json::parse(end.out);
+  if (answer.at("interface_version") != interface_version || answer.at("build_tag") != build_tag)
+    throw PluginError("geodrome-vet beside the engine was built for interface version " +
+                          answer.at("interface_version").dump() + " as " + answer.at("build_tag").dump() +
+                          ", the engine for version " + std::to_string(interface_version) + " as \"" + build_tag + '"',
+                      "install both from the same build");
+  if (end.status != 0) return PluginRefusal{file, answer.at("refused").get<std::string>()};
+  PluginInfo info = answer.at("plugin").get<PluginInfo>();
+  info.file = file;
+  return info;
+}
+
+}  // namespace
+
+fs::path engine_folder() {
+  static const fs::path folder = fs::weakly_canonical(boost::dll::this_line_location()).parent_path();
+  return folder;
+}
+
+std::variant<PluginInfo, PluginRefusal> vet(const fs::path& file) {
+  const double seconds = limit_in_seconds();
+  const std::chrono::milliseconds limit(static_cast<std::int64_t>(1000 * seconds) + 1);
+  const ChildEnd end = run_child(vet_program(), {file.string()}, limit);
+  if (end.timed_out)
+    return PluginRefusal{file, "did not finish loading within " + shown(seconds) + last_words(end.err)};
+  if (!end.exited) {
+    const char* signal = sigabbrev_np(end.signal);
+    const std::string name = signal ? "SIG" + std::string(signal) : "signal " + std::to_string(end.signal);
+    return PluginRefusal{file, "crashed with " + name + " while being loaded" + last_words(end.err)};
+  }
+  try {
+    return read_answer(file, end);
+  } catch (const nlohmann::json::exception&) {
+    return PluginRefusal{file, "ended the process with status " + std::to_string(end.status) + " while being loaded" +
+                                   last_words(end.err)};
+  }
+}
+
+}  // namespace geodrome

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+// geodrome-vet FILE: loads one plugin and prints what it is as one JSON object to standard output. Whatever the plugin
+// does to the process stays in this process; the host runs it under a time limit and takes any bad end for a refusal.
+//
+//   {"interface_version":1,"build_tag":"...","plugin":{...}}      status 0
+//   {"interface_version":1,"build_tag":"...","refused":"why"}     status 1
+#define BOOST_DLL_USE_STD_FS
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <boost/dll/shared_library.hpp>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+
+#include "engine/host/handshake.hpp"
+#include "engine/host/plugin_json.hpp"
+#include "tools/vet/descriptor.hpp"
+
+#if defined(__SANITIZE_ADDRESS__)
+// A crash must reach the host as the signal it is.
+extern "C" const char* __asan_default_options() {
+  return "handle_segv=0:handle_sigbus=0:handle_abort=0:detect_leaks=0";
+}
+#endif
+
+namespace {
+
+using namespace geodrome;
+
+int result_descriptor = STDOUT_FILENO;
+
+/// Prints the answer and ends the process at once: no destructor of the plugin gets another chance to run.
+[[noreturn]] void answer(const char* key, const nlohmann::json& value) {
+  const nlohmann::json json = {{"interface_version", interface_version}, {"build_tag", build_tag}, {key, value}};
+  const std::string line = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  std::size_t written = 0;
+  while (written < line.size()) {
+    const ssize_t count = write(result_descriptor, line.data() + written, line.size() - written);
+    if (count <= 0) _exit(3);
+    written += static_cast<std::size_t>(count);
+  }
+  _exit(std::string_view(key) == "plugin" ? 0 : 1);
+}
+
+/// From here on what the plugin prints goes to standard error, so that standard output carries the answer alone.
+void keep_output_to_ourselves() {
+  result_descriptor = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  if (result_descriptor < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
+    std::perror("geodrome-vet");
+    _exit(3);
+  }
+}
+
+std::string what_was_thrown() {
+  try {
+    throw;
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "an exception of unknown type";
+  }
+}
+
+void vet(const std::filesystem::path& file) {
+  boost::dll::shared_library library;
+  try {
+    using namespace boost::dll::load_mode;
+    library.load(std::filesystem::absolute(file), rtld_now | rtld_local);
+  } catch (const std::system_error& error) {
+    answer("refused", "cannot be loaded: " + std::string(error.what()));
+  } catch (...) {
+    answer("refused", "threw while being loaded: " + what_was_thrown());
+  }
+  if (!library.has(plugin_entry)) answer("refused", "no entry " + std::string(plugin_entry));
+  const PluginDescriptor* plugin = library.get<const PluginDescriptor*()>(plugin_entry)();
+  if (const auto fault = handshake_fault(plugin)) answer("refused", *fault);
+  try {
+    answer("plugin", checked_info(*plugin));
+  } catch (const PluginError& error) {
+    answer("refused", "its descriptor is wrong: " + std::string(error.what()));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2 || argv[1][0] == '-') {
+    std::cerr << "usage: geodrome-vet PLUGIN.so\nPrints what a Geodrome plugin says of itself as JSON.\n";
+    return 2;
+  }
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a plugin that hangs must not outlive the host
+  keep_output_to_ourselves();
+  std::set_terminate([] {
+    answer("refused",
+           std::current_exception() ? "threw while being loaded: " + what_was_thrown() : "called std::terminate");
+  });
+  vet(argv[1]);
+}
