@@ -4,7 +4,7 @@
 
 namespace {
 const int at_load = []() -> int {
-  int* volatile nowhere = nullptr;
+  volatile int* volatile nowhere = nullptr;
   *nowhere = 1;
   return 1;
 }();

@@ -4,7 +4,7 @@
 
 namespace {
 void on_run() {
-  int* volatile nowhere = nullptr;
+  volatile int* volatile nowhere = nullptr;
   *nowhere = 1;
 }
 }  // namespace

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <iostream>
+#include <ostream>
 
 #include "geodrome/engine/plugin_host.hpp"
 #include "geodrome/shortest_path_solver.hpp"
@@ -53,6 +53,8 @@ TEST(Boundary, AnErrorOfGeodromeKeepsItsType) {
 struct Crash {
   const char *name, *what;
 };
+
+void PrintTo(const Crash& crash, std::ostream* out) { *out << crash.name; }
 
 class BoundaryDeathTest : public ::testing::TestWithParam<Crash> {};
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <chrono>
 #include <fstream>
+#include <ostream>
 #include <thread>
 
 #include "geodrome/shortest_path_solver.hpp"
@@ -57,6 +58,8 @@ MeshPtr right_triangle() {
 struct Refused {
   const char *name, *reason;
 };
+
+void PrintTo(const Refused& refused, std::ostream* out) { *out << refused.name; }
 
 class RefusedPlugin : public ::testing::TestWithParam<Refused> {};
 
