@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
-#include <set>
+#include <tuple>
 #include <utility>
 
 #include "engine/host/registry.hpp"
@@ -15,6 +15,16 @@ namespace geodrome {
 namespace {
 
 namespace fs = std::filesystem;
+
+bool is_file(const fs::path& path) {
+  std::error_code error;
+  return fs::is_regular_file(path, error);
+}
+
+bool is_folder(const fs::path& path) {
+  std::error_code error;
+  return fs::is_directory(path, error);
+}
 
 /// The folders of GEODROME_PLUGIN_PATH. An empty entry is left out: it does not mean the working directory.
 std::vector<fs::path> folders_of_environment() {
@@ -34,7 +44,7 @@ std::vector<fs::path> candidates(const fs::path& folder) {
   std::vector<fs::path> files;
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
-    if (entry->path().extension() == ".so" && !entry->is_directory(error)) files.push_back(entry->path());
+    if (entry->path().extension() == ".so" && !is_folder(entry->path())) files.push_back(entry->path());
   std::sort(files.begin(), files.end());
   return files;
 }
@@ -110,10 +120,10 @@ std::shared_ptr<const void> create(const LoadedPlugin& plugin, const OptionValue
 
 PluginHost::PluginHost(std::vector<fs::path> extra_folders) {
   for (const fs::path& folder : extra_folders)
-    if (!fs::is_directory(folder))
+    if (!is_folder(folder))
       throw OptionError("the plugin folder '" + folder.string() + "' is not there", "give a folder that holds plugins");
   const auto add = [this](const fs::path& folder) {
-    const fs::path known = fs::weakly_canonical(folder);
+    const fs::path known = fs::weakly_canonical(fs::absolute(folder));
     if (std::find(folders_.begin(), folders_.end(), known) == folders_.end()) folders_.push_back(known);
   };
   for (const fs::path& folder : extra_folders) add(folder);
@@ -136,8 +146,8 @@ PluginListing PluginHost::list() const {
 }
 
 PluginInfo PluginHost::inspect(const fs::path& file) const {
-  const fs::path whole = fs::weakly_canonical(file);
-  if (!fs::is_regular_file(whole)) throw PluginError("plugin " + whole.string() + " is not there", "name another file");
+  const fs::path whole = fs::weakly_canonical(fs::absolute(file));
+  if (!is_file(whole)) throw PluginError("plugin " + whole.string() + " is not there", "name another file");
   auto result = vet(whole);
   if (auto* plugin = std::get_if<PluginInfo>(&result)) return std::move(*plugin);
   throw PluginError("plugin " + whole.string() + " is refused: " + std::get<PluginRefusal>(result).reason);
@@ -147,7 +157,7 @@ PluginInfo PluginHost::find(std::string_view stage, const std::string& name) con
   const std::string file_name = std::string(stage) + "_" + name + ".so";
   for (const fs::path& folder : folders_) {
     const fs::path file = folder / file_name;
-    if (!fs::is_regular_file(file)) continue;
+    if (!is_file(file)) continue;
     PluginInfo plugin = known_or_inspected(file);
     if (plugin.stage == stage && plugin.name == name) return plugin;
   }

@@ -3,7 +3,7 @@
 
 #define BOOST_DLL_USE_STD_FS
 #include <boost/dll/shared_library.hpp>
-#include <cstring>
+#include <list>
 #include <map>
 #include <mutex>
 
@@ -16,9 +16,10 @@ namespace {
 struct Registry {
   std::mutex mutex;
   std::map<std::filesystem::path, LoadedPlugin> plugins;  // addresses stay valid as others are added
+  std::list<boost::dll::shared_library> libraries;
 };
 
-/// Intentionally leaked: static destructors must find the plugins still there.
+/// Intentionally leaked: static destructors must find the plugins still there, and no library is ever unloaded.
 Registry& registry() {
   static Registry& forever = *new Registry;
   return forever;
@@ -28,9 +29,8 @@ Registry& registry() {
   throw PluginError("plugin " + info.file.string() + " " + why);
 }
 
-const PluginDescriptor* open(const PluginInfo& info) {
+const PluginDescriptor* open(const PluginInfo& info, boost::dll::shared_library& library) {
   using namespace boost::dll::load_mode;
-  auto& library = *new boost::dll::shared_library;  // leaked: never unloaded
   try {
     const PluginScope scope(info);
     library.load(info.file, rtld_now | rtld_local);
@@ -61,7 +61,7 @@ const LoadedPlugin& load_for_good(const PluginInfo& info) {
   const std::lock_guard lock(loaded.mutex);
   const auto found = loaded.plugins.find(info.file);
   if (found != loaded.plugins.end()) return found->second;
-  const PluginDescriptor* descriptor = open(info);
+  const PluginDescriptor* descriptor = open(info, loaded.libraries.emplace_back());
   return loaded.plugins.emplace(info.file, LoadedPlugin{info, descriptor}).first->second;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/host/selection.hpp"
 
+#include <algorithm>
+
 namespace geodrome {
 namespace {
 
@@ -21,7 +23,7 @@ Selection parse_selection(std::string_view stage, std::string_view text) {
   Selection selection;
   if (end < text.size()) selection.options = text.substr(end + 1);
   if (target.ends_with(extension) || target.find('/') != std::string_view::npos) {
-    selection.file = std::filesystem::weakly_canonical(std::filesystem::path(target));
+    selection.file = std::filesystem::weakly_canonical(std::filesystem::absolute(target));
     return selection;
   }
   if (target.size() > stage.size() && target.starts_with(stage) && target[stage.size()] == '_')

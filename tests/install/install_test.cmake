@@ -1,0 +1,85 @@
+# cmake -D STEP=... -D BUILD=... -D SOURCE=... -D WORK=... -D LIBDIR=... -P install_test.cmake
+#
+# One step of the test of the installed package. The steps share WORK: prefix/ (the install), third_party/ (a project
+# built against it). What comes out wrong ends in a FATAL_ERROR.
+set(prefix ${WORK}/prefix)
+set(third_party ${WORK}/third_party)
+
+function(run out)
+  execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    list(JOIN ARGN " " command)
+    message(FATAL_ERROR "status ${status} of: ${command}\n${stdout}${stderr}")
+  endif()
+  set(${out} "${stdout}" PARENT_SCOPE)
+endfunction()
+
+function(expect_equal what is should)
+  if(NOT "${is}" STREQUAL "${should}")
+    message(FATAL_ERROR "${what}: is\n${is}\nbut should be\n${should}")
+  endif()
+endfunction()
+
+function(expect_match what text pattern)
+  if(NOT "${text}" MATCHES "${pattern}")
+    message(FATAL_ERROR "${what}: no '${pattern}' in\n${text}")
+  endif()
+endfunction()
+
+# Runs the third party's program with the install in `where`.
+function(check_library where)
+  set(ENV{LD_LIBRARY_PATH} ${where}/${LIBDIR})
+  run(values ${third_party}/ten_lines ${third_party}/lib/geodrome)
+  expect_equal("distances of the program" "${values}" "0\n3\n7\n4\n")
+endfunction()
+
+# Runs the installed program with the third party's plugin.
+function(check_program where)
+  set(plugins ${third_party}/lib/geodrome)
+  run(shown ${where}/bin/geodrome plugins show solver_third_party --plugin-path ${plugins})
+  expect_match("plugins show" "${shown}" "third_party")
+  set(csv ${WORK}/out.csv)
+  file(REMOVE ${csv})
+  run(ignored ${where}/bin/geodrome distances ${SOURCE}/rectangle.off -o ${csv} --solver third_party
+      --plugin-path ${plugins})
+  file(STRINGS ${csv} rows REGEX "^[0-9]")
+  list(GET rows 0 row)
+  expect_equal("first row of the distances along edges" "${row}" "0,3,7,4")
+endfunction()
+
+if(STEP STREQUAL "install")
+  file(REMOVE_RECURSE ${WORK})
+  run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
+  foreach(file bin/geodrome-vet ${LIBDIR}/libgeodrome_engine.so include/geodrome/plugin.hpp
+          include/geodrome/engine/plugin_host.hpp ${LIBDIR}/cmake/geodrome/geodromeConfig.cmake)
+    if(NOT EXISTS ${prefix}/${file})
+      message(FATAL_ERROR "${file} was not installed")
+    endif()
+  endforeach()
+elseif(STEP STREQUAL "package")
+  # Neither compile flags nor what the engine is made of may reach a user's targets.
+  file(GLOB files ${prefix}/${LIBDIR}/cmake/geodrome/geodromeTargets*.cmake
+    ${prefix}/${LIBDIR}/cmake/geodrome/geodromeConfig.cmake)
+  foreach(file IN LISTS files)
+    file(STRINGS ${file} leaks REGEX "Boost|CGAL|OpenMesh|flann|xxhash|nlohmann|Eigen|lz4|build_flags|-W|INTERFACE_COMPILE_OPTIONS|INTERFACE_LINK_OPTIONS|${BUILD}|${prefix}")
+    expect_equal("${file}" "${leaks}" "")
+  endforeach()
+elseif(STEP STREQUAL "build")
+  run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/third_party -B ${third_party} -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
+      -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+      -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+  run(ignored ${CMAKE_COMMAND} --build ${third_party})
+elseif(STEP STREQUAL "library")
+  check_library(${prefix})
+elseif(STEP STREQUAL "program")
+  check_program(${prefix})
+elseif(STEP STREQUAL "move")
+  file(REMOVE_RECURSE ${WORK}/elsewhere)
+  file(RENAME ${prefix} ${WORK}/elsewhere)
+elseif(STEP STREQUAL "moved_library")
+  check_library(${WORK}/elsewhere)
+elseif(STEP STREQUAL "moved_program")
+  check_program(${WORK}/elsewhere)
+else()
+  message(FATAL_ERROR "unknown step '${STEP}'")
+endif()
