@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "engine/input/polygons.hpp"
+#include "geodrome/engine/input.hpp"
+
+namespace geodrome::input {
+
+/// Counts the defects and the topology of a mesh into `input.facts`, and tells of them in `input.findings`. Changes
+/// nothing else. Precondition: positions and triangles of `input` are set. O(n log n).
+void check_mesh(const Polygons& polygons, Input& input);
+
+/// What the edges and corners of a triangle mesh say, as in InputFacts.
+struct Topology {
+  Finding nonmanifold_edges, nonmanifold_vertices;  ///< elements: vertices
+  Finding boundary_edges;                           ///< elements: vertices
+  Finding clashes;                                  ///< edges whose two faces run the same way; elements: triangles
+  std::size_t edges = 0, vertices = 0, components = 0, boundary_loops = 0;
+  bool orientable = true;
+};
+Topology topology_of(const std::vector<Triangle>& triangles, std::size_t vertex_count);
+
+}  // namespace geodrome::input

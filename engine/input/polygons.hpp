@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "engine/input/soup.hpp"
+#include "geodrome/surface.hpp"
+
+namespace geodrome::input {
+
+/// The faces that stay after cleaning: three or more different corners each, as entries of the used positions.
+struct Polygons {
+  std::vector<Index> corners;
+  std::vector<std::size_t> end;     ///< per polygon: one past its last corner
+  std::vector<Index> face_in_file;  ///< per polygon
+  Finding degenerate, repeated;     ///< what was dropped, what was shortened
+
+  std::size_t size() const noexcept { return end.size(); }
+  std::span<const Index> operator[](std::size_t p) const {
+    const std::size_t begin = p == 0 ? 0 : end[p - 1];
+    return std::span(corners).subspan(begin, end[p] - begin);
+  }
+};
+
+/// Drops faces without area for want of three different corners, and joins corners of a polygon that follow each other
+/// and are the same vertex. Rejects (unsupported) a polygon that comes back to a vertex. `element_of_row` as in Input.
+Polygons clean_faces(const SourceFile& file, const Soup& soup, std::span<const Index> element_of_row);
+
+struct Triangulated {
+  std::vector<Triangle> triangles;
+  std::vector<Index> face_of_triangle;  ///< face in the file
+  std::size_t polygons_split = 0;
+  Finding nonplanar;
+};
+
+/// Splits polygons into triangles: a fan from the first corner that sees the whole polygon. Rejects (unsupported) a
+/// polygon that no corner sees. O(sum of squared corners) at worst.
+Triangulated triangulate(const SourceFile& file, const Polygons& polygons, std::span<const Vec3> positions);
+
+}  // namespace geodrome::input

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "engine/output/atomic_file.hpp"
+#include "geodrome/engine/input.hpp"
+
+namespace geodrome {
+namespace {
+
+using Positions = std::span<const Vec3>;
+using Triangles = std::span<const Triangle>;
+
+// The shortest decimal that reads back as the same number.
+void append_number(std::string& text, double value) {
+  std::array<char, 32> digits;
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
+  text.append(digits.data(), end);
+}
+
+void append_point(std::string& text, std::string_view before, const Vec3& p) {
+  text += before;
+  append_number(text, p.x);
+  text += ' ';
+  append_number(text, p.y);
+  text += ' ';
+  append_number(text, p.z);
+  text += '\n';
+}
+
+void append_face(std::string& text, std::string_view before, const Triangle& triangle, Index base) {
+  text += before;
+  for (const Index v : triangle) text += ' ' + std::to_string(v + base);
+  text += '\n';
+}
+
+template <class Number>
+void append_little_endian(std::string& bytes, Number number) {
+  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+std::string off_text(Positions positions, Triangles triangles) {
+  std::string text = "OFF\n" + std::to_string(positions.size()) + ' ' + std::to_string(triangles.size()) + " 0\n";
+  for (const Vec3& p : positions) append_point(text, "", p);
+  for (const Triangle& t : triangles) append_face(text, "3", t, 0);
+  return text;
+}
+
+std::string obj_text(Positions positions, Triangles triangles) {
+  std::string text;
+  for (const Vec3& p : positions) append_point(text, "v ", p);
+  for (const Triangle& t : triangles) append_face(text, "f", t, 1);
+  return text;
+}
+
+std::string xyz_text(Positions positions) {
+  std::string text;
+  for (const Vec3& p : positions) append_point(text, "", p);
+  return text;
+}
+
+std::string ply_bytes(Positions positions, Triangles triangles) {
+  // Most readers know no unsigned indices.
+  const bool fits_int = positions.size() <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
+  std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(positions.size()) +
+                      "\nproperty double x\nproperty double y\nproperty double z\n";
+  if (!triangles.empty())
+    bytes += "element face " + std::to_string(triangles.size()) + "\nproperty list uchar " +
+             (fits_int ? "int" : "uint") + " vertex_indices\n";
+  bytes += "end_header\n";
+  bytes.reserve(bytes.size() + sizeof(Vec3) * positions.size() + 13 * triangles.size());
+  for (const Vec3& p : positions)
+    for (const double coordinate : {p.x, p.y, p.z}) append_little_endian(bytes, coordinate);
+  for (const Triangle& t : triangles) {
+    bytes += '\3';
+    for (const Index v : t) append_little_endian(bytes, v);
+  }
+  return bytes;
+}
+
+Vec3 unit_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const Vec3 n = cross(q - p, r - p);
+  const double length = norm(n);
+  return length > 0 && std::isfinite(length) ? n / length : Vec3{};
+}
+
+std::string stl_bytes(const std::filesystem::path& file, Positions positions, Triangles triangles) {
+  constexpr double largest_float = std::numeric_limits<float>::max();
+  std::string bytes = "binary STL";  // must not start with "solid"
+  bytes.resize(80, ' ');
+  append_little_endian(bytes, static_cast<std::uint32_t>(triangles.size()));
+  const auto append = [&](const Vec3& p) {
+    for (const double coordinate : {p.x, p.y, p.z}) {
+      if (std::abs(coordinate) > largest_float)
+        throw InputError(InputFault::range, file.string() + ": a coordinate does not fit into the floats of STL",
+                         "write PLY");
+      append_little_endian(bytes, static_cast<float>(coordinate));
+    }
+  };
+  for (const Triangle& t : triangles) {
+    append(unit_normal(positions[t[0]], positions[t[1]], positions[t[2]]));
+    for (const Index v : t) append(positions[v]);
+    append_little_endian(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+[[noreturn]] void reject_ending(const std::filesystem::path& file, const std::string& known) {
+  throw OptionError(file.string() + ": the ending tells no format that can be written", "use one of " + known);
+}
+
+}  // namespace
+
+void write_mesh(const std::filesystem::path& file, const SurfaceMesh& mesh) {
+  const std::string extension = lower_extension(file);
+  const Positions positions = mesh.positions();
+  const Triangles triangles = mesh.triangles();
+  if (extension == ".off") return write_atomically(file, off_text(positions, triangles));
+  if (extension == ".obj") return write_atomically(file, obj_text(positions, triangles));
+  if (extension == ".ply") return write_atomically(file, ply_bytes(positions, triangles));
+  if (extension == ".stl") return write_atomically(file, stl_bytes(file, positions, triangles));
+  reject_ending(file, ".off, .obj, .ply, .stl");
+}
+
+void write_points(const std::filesystem::path& file, const std::vector<Vec3>& points) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".xyz") return write_atomically(file, xyz_text(points));
+  if (extension == ".ply") return write_atomically(file, ply_bytes(points, {}));
+  if (extension == ".off") return write_atomically(file, off_text(points, {}));
+  reject_ending(file, ".xyz, .ply, .off");
+}
+
+}  // namespace geodrome
