@@ -65,12 +65,18 @@ Parser parser_by_name(const SourceFile& file) {
 
 Soup parse(const SourceFile& file) {
   reject_compressed(file);
-  Parser parser = parser_by_content(file);
-  if (!parser) parser = parser_by_name(file);
-  if (!parser)
+  const Parser by_content = parser_by_content(file), by_name = parser_by_name(file);
+  if (!by_content && !by_name)
     reject(file, InputFault::unsupported, "neither content nor name tells the format",
            "use OFF, OBJ, PLY, STL or XYZ, and the ending of the format in the file's name");
-  return parser(file);
+  Soup soup = (by_content ? by_content : by_name)(file);
+  if (by_content && by_name && by_content != by_name)
+    soup.findings.push_back({Finding::Severity::note,
+                             "format_by_content",
+                             "The content is " + soup.format + ", whatever the file's name says.",
+                             1,
+                             {}});
+  return soup;
 }
 
 void check_announced(const SourceFile& file, const std::string& element, std::uint64_t count,
