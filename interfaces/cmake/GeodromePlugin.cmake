@@ -17,6 +17,7 @@ function(geodrome_add_plugin name)
   endif()
 
   add_library(${name} MODULE ${arg_SOURCES})
+  set_property(GLOBAL APPEND PROPERTY GEODROME_PLUGINS ${name})
   target_link_libraries(${name} PRIVATE geodrome::interfaces ${arg_LIBRARIES})
   target_link_options(${name} PRIVATE -Wl,--no-undefined)
   set_target_properties(${name} PROPERTIES

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+/// Which faces hold a surface point, and distances within them: what is needed to judge a polyline on a surface without
+/// trusting the solver that made it. A point on an edge or at a vertex lies in all faces of that edge or vertex.
+class CommonFace {
+ public:
+  /// O(V + F).
+  explicit CommonFace(const SurfaceMesh& mesh) : mesh_(mesh), first_(mesh.vertex_count() + 1) {
+    for (const Triangle& t : mesh.triangles())
+      for (const Index v : t) ++first_[v + 1];
+    for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+    faces_.resize(3 * mesh.face_count());
+    std::vector<Index> end = first_;
+    for (Index f = 0; f < mesh.face_count(); ++f)
+      for (const Index v : mesh.triangles()[f]) faces_[end[v]++] = f;
+  }
+
+  /// `point` as coordinates on `face`, if that face holds it.
+  std::optional<std::array<double, 3>> on_face(const SurfacePoint& point, Index face) const {
+    if (point.face == face) return point.b;
+    const Triangle &from = mesh_.triangles()[point.face], &to = mesh_.triangles()[face];
+    std::array<double, 3> b{};
+    for (int i = 0; i < 3; ++i) {
+      if (point.b[i] == 0) continue;
+      int j = 0;
+      while (j < 3 && to[j] != from[i]) ++j;
+      if (j == 3) return std::nullopt;
+      b[j] = point.b[i];
+    }
+    return b;
+  }
+
+  /// The straight distance of two points in the first face that holds both; nothing if none does. O(degree).
+  std::optional<double> straight(const SurfacePoint& p, const SurfacePoint& q) const {
+    for (int i = 0; i < 3; ++i) {
+      if (p.b[i] == 0) continue;
+      for (const Index face : faces_at(mesh_.triangles()[p.face][i])) {
+        const auto a = on_face(p, face), b = on_face(q, face);
+        if (a && b) return within(face, *a, *b);
+      }
+      break;  // a face that holds p holds each corner that p depends on: one of them is enough
+    }
+    return std::nullopt;
+  }
+
+  /// The distance of two points of one face, from differences of coordinates: exact far from the origin too.
+  double within(Index face, const std::array<double, 3>& a, const std::array<double, 3>& b) const {
+    const auto [p, q, r] = mesh_.corners(face);
+    return norm((a[1] - b[1]) * (q - p) + (a[2] - b[2]) * (r - p));
+  }
+
+ private:
+  std::span<const Index> faces_at(Index vertex) const {
+    return {faces_.data() + first_[vertex], faces_.data() + first_[vertex + 1]};
+  }
+
+  const SurfaceMesh& mesh_;
+  std::vector<Index> first_, faces_;
+};
+
+}  // namespace geodrome

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+/// The connected component of every vertex, named by its lowest vertex. Faces that share a vertex are connected.
+inline std::vector<Index> vertex_components(const SurfaceMesh& mesh) {
+  detail::DisjointSets sets(mesh.vertex_count());
+  for (const Triangle& t : mesh.triangles()) sets.unite(t[0], t[1]), sets.unite(t[0], t[2]);
+  std::vector<Index> component(mesh.vertex_count());
+  for (Index v = 0; v < component.size(); ++v) component[v] = sets.find(v);
+  return component;
+}
+
+/// The components that hold a source of the current run: tells unreachable from beyond a limit. Reused from run to run.
+class SourceComponents {
+ public:
+  template <class Sources>
+  void assign(const SurfaceMesh& mesh, const std::vector<Index>& component, const Sources& sources) {
+    ids_.clear();
+    for (const auto& source : sources) ids_.push_back(component[mesh.triangles()[source.at.face][0]]);
+    std::sort(ids_.begin(), ids_.end());
+    ids_.erase(std::unique(ids_.begin(), ids_.end()), ids_.end());
+  }
+  bool contains(Index component) const { return std::binary_search(ids_.begin(), ids_.end(), component); }
+
+ private:
+  std::vector<Index> ids_;
+};
+
+}  // namespace geodrome

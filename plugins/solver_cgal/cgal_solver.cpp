@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "solver_cgal/cgal_solver.hpp"
+
+#include <CGAL/Surface_mesh_shortest_path.h>
+#include <CGAL/assertions_behaviour.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <unordered_map>
+
+#include "common/query_points.hpp"
+#include "common/vertex_components.hpp"
+#include "solver_cgal/cgal_surface.hpp"
+
+namespace geodrome {
+namespace {
+
+using cgal::LayoutTraits;
+using cgal::Mesh;
+using ShortestPaths = CGAL::Surface_mesh_shortest_path<LayoutTraits>;
+using FaceLocation = ShortestPaths::Face_location;
+
+/// Not 0, but without weight beside any coordinate: CGAL 5.5 mirrors a source on an edge about the edge's middle
+/// (expand_edge_root swaps the two weights), but not one that is just inside a face.
+constexpr double just_inside = std::numeric_limits<double>::min();
+
+/// How far beside a point `best_near` asks, relative to the distance from the source (rounding of unfolded coordinates
+/// grows with it), and at most, relative to the way to a corner.
+constexpr double beside = 32 * std::numeric_limits<double>::epsilon(), most_beside = 1e-9;
+
+/// CGAL's failures, whatever they are, as a NumericalError; ours pass.
+template <class Function>
+decltype(auto) guarded(Function&& function) {
+  try {
+    return function();
+  } catch (const CGAL::Failure_exception& failure) {
+    throw NumericalError(std::string("CGAL failed: ") + failure.what(),
+                         "check the mesh for needle faces and faces without area, or choose another solver");
+  }
+}
+
+struct Prepared {
+  MeshPtr mesh;
+  cgal::Normalisation normalisation;
+  Mesh copy;
+  std::vector<Index> component;
+
+  explicit Prepared(MeshPtr input)
+      : mesh(std::move(input)),
+        normalisation(*mesh),
+        copy(cgal::copy_for_cgal(*mesh, normalisation)),
+        component(vertex_components(*mesh)) {}
+};
+
+FaceLocation location_of(const SurfacePoint& p) {
+  return {Mesh::Face_index(p.face), LayoutTraits::Barycentric_coordinates{p.b[0], p.b[1], p.b[2]}};
+}
+
+/// Collects the path that CGAL reports as faces, edges and vertices.
+struct PathCollector {
+  const SurfaceMesh& mesh;
+  const Mesh& copy;
+  std::vector<SurfacePoint>& out;
+
+  void operator()(Mesh::Face_index face, const LayoutTraits::Barycentric_coordinates& b) {
+    out.push_back({static_cast<Index>(face), {b[0], b[1], b[2]}});
+  }
+  void operator()(Mesh::Vertex_index vertex) { out.push_back(mesh.at_vertex(static_cast<Index>(vertex))); }
+
+  /// `t` is the weight of the half-edge's target; rounding can put it a little outside [0, 1].
+  void operator()(Mesh::Halfedge_index edge, double t) {
+    if (copy.is_border(edge)) edge = copy.opposite(edge), t = 1 - t;
+    t = std::clamp(t, 0.0, 1.0);
+    SurfacePoint point{static_cast<Index>(copy.face(edge)), {}};
+    const Triangle& corners = mesh.triangles()[point.face];
+    for (int i = 0; i < 3; ++i) {
+      if (corners[i] == static_cast<Index>(copy.source(edge))) point.b[i] = 1 - t;
+      if (corners[i] == static_cast<Index>(copy.target(edge))) point.b[i] = t;
+    }
+    out.push_back(point);
+  }
+};
+
+class CgalSearch final : public Search, private ShortestPathMap {
+ public:
+  explicit CgalSearch(std::shared_ptr<const Prepared> prepared)
+      : prepared_(std::move(prepared)), distances_(prepared_->mesh->vertex_count()), at_vertex_(distances_.size()) {
+    reset();
+  }
+
+  const ShortestPathMap& run(std::span<const Source> sources, const Request& request, RunContext& context) override {
+    check(sources, request);
+    context.throw_if_cancelled();
+    sources_.assign(sources.begin(), sources.end());
+    radius_ = request.radius;
+    keep_ = request.keep;
+    with_source_.assign(mesh(), prepared_->component, sources_);
+    build(context);
+    for (Index v = 0; v < distances_.size(); ++v) {
+      at_vertex_[v] = on_vertex(v);
+      distances_[v] = at_vertex_[v].value;
+    }
+    kept_.assign(request.targets, [this](const SurfacePoint& target) { return distance_at(target); });
+    if (keep_ == Keep::targets) reset();
+    return *this;
+  }
+
+  std::span<const double> vertices() const override { return distances_; }
+  std::span<const Counter> counters() const override { return {}; }
+
+  Distance at(const SurfacePoint& point) const override {
+    require_on_surface(mesh(), point, "the point");
+    if (keep_ == Keep::map || mesh().vertex_at(point) != no_index) return distance_at(point);
+    if (const Distance* kept = kept_.find(point)) return *kept;
+    throw CapabilityError("only vertices and the targets were kept", "request Keep::map");
+  }
+
+  void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const override {
+    require_on_surface(mesh(), point, "the point");
+    if (keep_ != Keep::map) throw CapabilityError("paths were not kept", "request Keep::map");
+    out.clear();
+    const Distance distance = at(point);
+    if (distance.reach != Reach::reached) return;
+    PathCollector collector{mesh(), prepared_->copy, out};
+    const Index vertex = mesh().vertex_at(point);
+    const auto [face, b] = location_of(vertex != no_index ? point : best_near(point).asked);
+    guarded([&] {
+      return vertex != no_index ? paths_->shortest_path_sequence_to_source_points(Mesh::Vertex_index(vertex), collector)
+                                : paths_->shortest_path_sequence_to_source_points(face, b, collector);
+    });
+    out.front() = point;
+    out.back() = sources_[distance.source].at;
+  }
+
+ private:
+  using Found = ShortestPaths::Shortest_path_result;
+  using Vertex = Mesh::Vertex_index;
+  struct Best {
+    Found found;
+    SurfacePoint asked;
+  };
+
+  const SurfaceMesh& mesh() const { return *prepared_->mesh; }
+
+  void check(std::span<const Source> sources, const Request& request) const {
+    if (sources.empty()) throw CapabilityError("there is no source");
+    for (const Source& source : sources) {
+      require_on_surface(mesh(), source.at, "a source");
+      if (source.start != 0) throw CapabilityError("sources with a start distance are not supported");
+    }
+    for (const SurfacePoint& target : request.targets) require_on_surface(mesh(), target, "a target");
+    if (request.stop_at_targets) throw CapabilityError("stopping at targets is not supported");
+  }
+
+  void reset() {
+    index_of_source_.clear();
+    paths_.emplace(prepared_->copy, LayoutTraits(&poll_));
+  }
+
+  /// A search that was cancelled, or in which CGAL failed, starts from a new object: CGAL's own is not exception-safe
+  /// (the event in work, some hundred bytes, is lost).
+  void build(const RunContext& context) {
+    index_of_source_.clear();
+    paths_->remove_all_source_points();
+    std::set<std::tuple<Index, double, double, double>> places;
+    for (Index i = 0; i < sources_.size(); ++i) {
+      const auto [face, b] = canonical(sources_[i].at);
+      if (places.emplace(face, b[0], b[1], b[2]).second) add({face, b}, i);
+    }
+    poll_.watch(&context);
+    try {
+      guarded([&] { paths_->build_sequence_tree(); });
+    } catch (...) {
+      poll_.watch(nullptr);
+      reset();
+      throw;
+    }
+    poll_.watch(nullptr);
+  }
+
+  /// One name for each point: of a point on an edge or at a vertex that in the lowest face. The first source at a place
+  /// then hides later ones, so that ties go to the lowest index.
+  SurfacePoint canonical(const SurfacePoint& point) const {
+    const Index vertex = mesh().vertex_at(point);
+    if (vertex != no_index) return mesh().at_vertex(vertex);
+    for (Index i = 0; i < 3; ++i) {
+      const Index edge = 3 * point.face + (i + 1) % 3, twin = mesh().twins()[edge];
+      if (point.b[i] != 0 || twin == no_index || twin > edge) continue;
+      SurfacePoint other{SurfaceMesh::face(twin), {}};
+      other.b[twin % 3] = point.b[(i + 2) % 3];
+      other.b[(twin + 1) % 3] = point.b[(i + 1) % 3];
+      return other;
+    }
+    return point;
+  }
+
+  void add(const SurfacePoint& point, Index source) {
+    const int zeros = static_cast<int>(std::count(point.b.begin(), point.b.end(), 0.0));
+    if (zeros != 1) return add(location_of(point), source);
+    const int i = static_cast<int>(std::find(point.b.begin(), point.b.end(), 0.0) - point.b.begin());
+    FaceLocation here = location_of(point);
+    here.second[i] = just_inside;
+    add(here, source);
+    const Index edge = 3 * point.face + (i + 1) % 3, twin = mesh().twins()[edge];
+    if (twin == no_index) return;
+    FaceLocation there{Mesh::Face_index(SurfaceMesh::face(twin)), {just_inside, just_inside, just_inside}};
+    there.second[twin % 3] = point.b[(i + 2) % 3];
+    there.second[(twin + 1) % 3] = point.b[(i + 1) % 3];
+    add(there, source);
+  }
+  void add(const FaceLocation& location, Index source) {
+    index_of_source_.emplace(&*paths_->add_source_point(location), source);
+  }
+
+  Distance distance_at(const SurfacePoint& point) const {
+    const Index vertex = mesh().vertex_at(point);
+    return vertex != no_index ? at_vertex_[vertex] : inside(point);
+  }
+  Distance inside(const SurfacePoint& point) const {
+    const Best best = best_near(point);
+    return judge(best.found, mesh().triangles()[point.face][0], "a point of face " + std::to_string(point.face));
+  }
+
+  /// Windows are closed sets with rounded corners: a point on the common border of two can be in neither, and CGAL then
+  /// answers with a third that is far too long. So three points beside it, farther away than the rounding, are asked
+  /// too; each gives an upper bound that is as good.
+  Best best_near(const SurfacePoint& point) const {
+    Best best = ask(point, 0);
+    const auto corners = mesh().corners(point.face);
+    const Vec3 here = mesh().position(point);
+    for (int i = 0; i < 3; ++i) {
+      const double side = std::ldexp(distance(corners[i], here), prepared_->normalisation.exponent);
+      const Vertex corner(mesh().triangles()[point.face][i]);
+      const double reach = std::abs(paths_->shortest_distance_to_source_points(corner).first) + side;
+      const double share = side > 0 ? std::min(beside * reach / side, most_beside) : 0;
+      SurfacePoint near = point;
+      for (double& b : near.b) b *= 1 - share;
+      near.b[i] += share;
+      const Best other = ask(near, share * side);
+      const bool nothing = best.found.second == paths_->source_points_end();
+      if (nothing || (other.found.first >= 0 && other.found.first < best.found.first)) best = other;
+    }
+    return best;
+  }
+  Best ask(const SurfacePoint& point, double away) const {
+    const auto [face, b] = location_of(point);
+    Best best{guarded([&] { return paths_->shortest_distance_to_source_points(face, b); }), point};
+    if (best.found.first >= 0) best.found.first += away;
+    return best;
+  }
+
+  Distance on_vertex(Index vertex) const {
+    if (mesh().first_half_edge(vertex) == no_index) return {};
+    const Found found = guarded([&] { return paths_->shortest_distance_to_source_points(Mesh::Vertex_index(vertex)); });
+    return judge(found, vertex, "vertex " + std::to_string(vertex));
+  }
+
+  /// CGAL says -1 where it found no way. That is right only in a component without a source.
+  Distance judge(const Found& found, Index vertex, const std::string& where) const {
+    const bool nothing = found.second == paths_->source_points_end();
+    if (nothing && !with_source_.contains(prepared_->component[vertex])) return {};
+    if (nothing || !(found.first >= 0) || !std::isfinite(found.first))
+      throw NumericalError("CGAL found no distance for " + where + ", which can be reached",
+                           "check the mesh for needle faces and faces without area, or choose another solver");
+    const double value = prepared_->normalisation.original(found.first);
+    if (value > radius_) return {std::numeric_limits<double>::infinity(), Reach::beyond_limit, no_index};
+    return {value, Reach::reached, index_of_source_.at(&*found.second)};
+  }
+
+  std::shared_ptr<const Prepared> prepared_;
+  cgal::CancelPoll poll_;
+  mutable std::optional<ShortestPaths> paths_;  // CGAL's queries are not const: they build the tree on demand
+  std::unordered_map<const FaceLocation*, Index> index_of_source_;
+  std::vector<Source> sources_;
+  SourceComponents with_source_;
+  double radius_ = 0;
+  Keep keep_ = Keep::targets;
+  std::vector<double> distances_;
+  std::vector<Distance> at_vertex_;
+  KeptTargets kept_;
+};
+
+class CgalPrepared final : public PreparedSurface {
+ public:
+  explicit CgalPrepared(MeshPtr mesh) : prepared_(std::make_shared<const Prepared>(std::move(mesh))) {}
+  std::unique_ptr<Search> make_search() const override { return std::make_unique<CgalSearch>(prepared_); }
+
+  /// Per vertex a point, a half-edge, a removed flag and a component; per half-edge and face what CGAL's mesh links.
+  std::size_t bytes() const override {
+    const Mesh& copy = prepared_->copy;
+    return copy.number_of_vertices() * (sizeof(cgal::Kernel::Point_3) + 3 * sizeof(Index)) +
+           copy.number_of_halfedges() * 4 * sizeof(Index) + copy.number_of_faces() * 2 * sizeof(Index);
+  }
+
+ private:
+  std::shared_ptr<const Prepared> prepared_;
+};
+
+}  // namespace
+
+std::unique_ptr<PreparedSurface> CgalSolver::prepare(MeshPtr mesh, RunContext& context) const {
+  context.throw_if_cancelled();
+  if (!mesh->face_weights().empty())
+    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  if (!mesh->manifold() || !mesh->oriented()) throw CapabilityError("the mesh must be manifold and oriented");
+  CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  CGAL::set_warning_behaviour(CGAL::CONTINUE);
+  return guarded([&] { return std::make_unique<CgalPrepared>(std::move(mesh)); });
+}
+
+}  // namespace geodrome

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "geodrome/abi.hpp"
+
+namespace geodrome::test {
+
+/// A plugin of this build, made with its default options.
+template <class Stage>
+struct Discovered {
+  std::shared_ptr<const Stage> object;
+  std::string name;
+  std::uint64_t needs = 0, provides = 0;
+  double factor = 0;
+
+  bool has(std::uint64_t bits) const { return (provides & bits) == bits; }
+  friend std::ostream& operator<<(std::ostream& out, const Discovered& plugin) { return out << plugin.name; }
+};
+
+/// Every plugin of a stage that this build made, by name. Opens the files itself, so that a fault of the plugin host is
+/// no fault of a plugin. Never closes them.
+template <class Stage>
+std::vector<Discovered<Stage>> discovered() {
+  std::vector<Discovered<Stage>> plugins;
+  for (const auto& entry : std::filesystem::directory_iterator(GEODROME_BINARY_DIR "/lib/geodrome")) {
+    if (entry.path().extension() != ".so") continue;
+    void* library = dlopen(entry.path().c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (!library) throw std::runtime_error(dlerror());
+    const auto entry_point = reinterpret_cast<PluginEntry>(dlsym(library, plugin_entry));
+    if (!entry_point) throw std::runtime_error(entry.path().string() + " has no entry");
+    const PluginDescriptor& plugin = *entry_point();
+    if (std::strcmp(plugin.stage, Stage::stage) != 0) continue;
+    const OptionValues options({plugin.options, plugin.option_count});
+    const ErrorSink errors{nullptr, [](void*, bool, const char*) noexcept {}};
+    auto* object = static_cast<Stage*>(plugin.create(&options, &errors));
+    if (!object) throw std::runtime_error(entry.path().string() + " cannot be made");
+    plugins.push_back({std::shared_ptr<const Stage>(object, plugin.destroy), plugin.name, plugin.needs, plugin.provides,
+                       plugin.factor(&options)});
+  }
+  std::sort(plugins.begin(), plugins.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+  return plugins;
+}
+
+}  // namespace geodrome::test
