@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 const int at_load = []() -> int {

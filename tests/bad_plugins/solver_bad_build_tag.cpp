@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Built with another standard library.
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 GEODROME_BAD_ENTRY([] {
   auto plugin = geodrome::bad::descriptor("bad_build_tag");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes through a null pointer in a static initialiser.
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 const int at_load = []() -> int {

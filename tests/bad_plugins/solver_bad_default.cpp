@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The default of an option is out of its own range.
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 constexpr geodrome::OptionSpec options[] = {geodrome::integer_option("k", "30", 1, 9, "", "neighbours")};

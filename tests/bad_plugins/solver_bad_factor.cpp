@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Promises distances shorter than the shortest.
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 GEODROME_BAD_ENTRY([] {
   auto plugin = geodrome::bad::descriptor("bad_factor");

@@ -2,7 +2,7 @@
 // Waits for ever in a static initialiser.
 #include <unistd.h>
 
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 const int at_load = []() -> int {

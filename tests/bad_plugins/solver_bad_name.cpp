@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Has a name that nobody could write on a command line.
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 GEODROME_BAD_ENTRY([] {
   auto plugin = geodrome::bad::descriptor("bad_name");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Needs something that no host knows.
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 GEODROME_BAD_ENTRY([] {
   auto plugin = geodrome::bad::descriptor("bad_needs");

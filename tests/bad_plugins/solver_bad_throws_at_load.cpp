@@ -2,7 +2,7 @@
 // Throws in a static initialiser.
 #include <stdexcept>
 
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 const int at_load = []() -> int { throw std::runtime_error("the licence server is down"); }();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Built for an interface of tomorrow: what follows the first three members is not where this host would look for it.
-#include "straight_solver.hpp"
+#include "geodrome/abi.hpp"
 
 namespace {
 struct FutureDescriptor {

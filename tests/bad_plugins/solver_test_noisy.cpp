@@ -2,7 +2,7 @@
 // A good plugin that prints what looks like an answer while it is loaded.
 #include <cstdio>
 
-#include "straight_solver.hpp"
+#include "descriptor.hpp"
 
 namespace {
 const int at_load = []() -> int {

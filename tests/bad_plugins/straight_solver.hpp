@@ -7,8 +7,7 @@
 
 #include "geodrome/plugin.hpp"
 
-/// What the plugins of this folder are made of: a solver that measures straight through space, and a descriptor of it
-/// to spoil. For tests of the host only.
+/// What plugins of this folder that are run are made of: a solver that measures straight through space.
 namespace geodrome::bad {
 
 class StraightSearch : public Search, public ShortestPathMap {
@@ -60,15 +59,4 @@ class StraightSolver : public ShortestPathSolver {
   }
 };
 
-/// A descriptor without fault, for a plugin to put one in.
-inline PluginDescriptor descriptor(const char* name) {
-  return detail::describe<StraightSolver<>>({.name = name, .summary = "a bad plugin", .licence = "MIT"});
-}
-
 }  // namespace geodrome::bad
-
-#define GEODROME_BAD_ENTRY(...)                                                                                    \
-  extern "C" __attribute__((visibility("default"))) const geodrome::PluginDescriptor* geodrome_plugin() noexcept { \
-    static const geodrome::PluginDescriptor bad = __VA_ARGS__;                                                     \
-    return &bad;                                                                                                   \
-  }
