@@ -15,26 +15,27 @@ enum class ScalarType { float64, float32 };
 /// A distance matrix on disk that is written row by row, in any order, from any thread, and survives the end of the
 /// process at any moment. Rows = sources, columns = targets.
 ///
-/// While it grows it is one file, OUT.partial: the .npy file as it will be, then a footer with the fingerprint of the run
-/// and a 64-bit checksum per row, which tells the rows that are whole. `finish` cuts the footer off and renames the file
-/// (for .csv: writes the text, then removes the .partial). Nothing else is left on disk.
+/// While it grows it is one file, OUT.partial: the .npy file as it will be, then a footer with the fingerprint of the
+/// run and a 64-bit checksum per row, which tells the rows that are whole. `finish` cuts the footer off and renames the
+/// file (for .csv: writes the text, then removes the .partial). Nothing else is left on disk.
 class MatrixFile {
  public:
   struct Spec {
     std::filesystem::path out;  ///< ends in .npy or .csv
     std::uint64_t rows = 0, columns = 0;
     ScalarType scalar = ScalarType::float64;
-    std::string fingerprint;    ///< text that two runs share exactly if their matrices are the same bytes
+    std::string fingerprint;  ///< text that two runs share exactly if their matrices are the same bytes
   };
 
-  /// Size of the .npy file, in bytes.
+  /// Size of the .npy file, in bytes. Throws RefusedError if that is more than a file can hold.
   static std::uint64_t bytes(const Spec& spec);
 
-  /// Starts OUT.partial, or with `resume` goes on with the one that is there. Throws OptionError for an unknown ending or a
-  /// .csv of more than 1e6 entries, InputError (io) if it cannot be written,
-  /// RefusedError if the disk has not enough room, or on `resume` if the fingerprint differs (saying in which part: the
-  /// fingerprint is a JSON object, its members are compared) or the partial is damaged. A .partial that is there
-  /// is overwritten without `resume`. With `resume` and no .partial it starts anew.
+  /// Starts OUT.partial, or with `resume` goes on with the one that is there. Throws OptionError for an unknown ending
+  /// or a .csv of more than 1e6 entries, InputError (io) if it cannot be written, RefusedError if the disk has not
+  /// enough room, or on `resume` if the fingerprint differs (saying in which part: the fingerprint is a JSON object,
+  /// its members are compared) or the partial is damaged. A .partial that is there is overwritten without `resume`,
+  /// unless another process is writing it: RefusedError. With `resume` and no .partial it starts anew. With `resume`
+  /// every row on record is read and compared with its checksum: O(bytes); those that were damaged count as not there.
   static MatrixFile open(const Spec& spec, bool resume);
 
   MatrixFile(MatrixFile&&) noexcept;
@@ -45,13 +46,16 @@ class MatrixFile {
   std::uint64_t rows_done() const;
 
   /// Writes one row; safe to call from several threads for different rows. Throws InputError (io), naming the file and
-  /// the system's reason, e.g. when the disk is full.
+  /// the system's reason, e.g. when the disk is full; OptionError for a finite distance that float32 would turn into
+  /// infinity or 0; std::logic_error for a row or a number of values that the matrix does not have.
   void write(std::uint64_t row, std::span<const double> values);
 
-  /// Reads a row that is there back, as stored.
+  /// Reads a row that is there back, as stored; works after `finish` too. Throws InputError (io) if it changed on disk,
+  /// std::out_of_range if it is not there. Thread-safe.
   std::vector<double> read(std::uint64_t row) const;
 
-  /// Precondition: every row is there. Afterwards `spec.out` exists and OUT.partial does not.
+  /// Precondition: every row is there (std::logic_error). Afterwards `spec.out` exists, whole and on the disk, and
+  /// OUT.partial does not. Throws InputError (io) as `write`; then OUT.partial is still there.
   void finish();
 
  private:

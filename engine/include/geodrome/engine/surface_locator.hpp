@@ -15,12 +15,14 @@ struct ClosestPoint {
 /// Closest surface points: an R-tree over triangle boxes with an exact point-triangle distance. Immutable; thread-safe.
 class SurfaceLocator {
  public:
-  /// The mesh must have a face. O(F log F).
+  /// Throws InputError (empty) for a mesh without faces. O(F log F).
   explicit SurfaceLocator(MeshPtr mesh);
   ~SurfaceLocator();
 
   /// The globally closest point of the surface; ties go to the lowest face. A point that is a vertex is found as that
-  /// vertex, exactly (a barycentric coordinate equal to 1). O(log F) typically.
+  /// vertex, exactly (a barycentric coordinate equal to 1), even if a lower face passes through it. Degenerate faces
+  /// count as the segments or points they are. Throws InputError (nonfinite) for a query that is not finite. O(log F)
+  /// typically.
   ClosestPoint closest(const Vec3& query) const;
 
  private:

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "engine/output/partial_footer.hpp"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "engine/output/npy.hpp"
+#include "geodrome/errors.hpp"
+
+namespace geodrome {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "matrix files are written in the machine's own byte order");
+
+constexpr std::array<char, 8> magic = {'G', 'E', 'O', 'D', 'R', 'O', 'M', 'E'};
+constexpr std::uint32_t footer_version = 1;
+
+struct Trailer {
+  std::array<char, 8> magic;
+  std::uint32_t version, scalar_bytes;
+  std::uint64_t rows, columns, fingerprint_bytes, fingerprint_checksum;
+  std::uint64_t checksum;  ///< of all that stands before it
+  std::uint64_t reserved;
+};
+static_assert(sizeof(Trailer) == 64);
+
+std::uint64_t checksum_of(const Trailer& trailer) { return XXH3_64bits(&trailer, offsetof(Trailer, checksum)); }
+
+std::uint64_t fingerprint_offset(const MatrixFile::Spec& spec) { return checksum_offset(spec, spec.rows); }
+
+[[noreturn]] void refuse_damaged(const PosixFile& file) {
+  throw RefusedError(file.path().string() + " is damaged, or no unfinished matrix",
+                     "remove it, or rerun without --resume to start anew");
+}
+
+std::string shortened(const std::string& text) {
+  constexpr std::size_t limit = 60;
+  return text.size() <= limit ? text : text.substr(0, limit - 3) + "...";
+}
+
+void add_difference(std::string& text, const std::string& what, const std::string& was, const std::string& is) {
+  text += (text.empty() ? "" : ", ") + what + " was " + shortened(was) + " and is " + shortened(is);
+}
+
+std::string fingerprint_differences(const std::string& stored, const std::string& now) {
+  using nlohmann::json;
+  const json a = json::parse(stored, nullptr, false), b = json::parse(now, nullptr, false);
+  std::string text;
+  if (!a.is_object() || !b.is_object()) {
+    add_difference(text, "the fingerprint", stored, now);
+    return text;
+  }
+  const json was = a.flatten(), is = b.flatten();
+  std::set<std::string> members;
+  for (const auto& item : was.items()) members.insert(item.key());
+  for (const auto& item : is.items()) members.insert(item.key());
+  const auto shown = [](const json& values, const std::string& member) {
+    return values.contains(member) ? values[member].dump(-1, ' ', false, json::error_handler_t::replace) : "absent";
+  };
+  for (const std::string& member : members)
+    if (shown(was, member) != shown(is, member)) add_difference(text, member, shown(was, member), shown(is, member));
+  return text;
+}
+
+}  // namespace
+
+std::uint64_t checksum_offset(const MatrixFile::Spec& spec, std::uint64_t row) {
+  return MatrixFile::bytes(spec) + row * sizeof(std::uint64_t);
+}
+
+std::uint64_t partial_bytes(const MatrixFile::Spec& spec) {
+  const std::uint64_t end = fingerprint_offset(spec) + spec.fingerprint.size();
+  return (end + sizeof(Trailer) - 1) / sizeof(Trailer) * sizeof(Trailer) + sizeof(Trailer);
+}
+
+void write_footer(const PosixFile& file, const MatrixFile::Spec& spec) {
+  const std::string& fingerprint = spec.fingerprint;
+  file.write_at(fingerprint_offset(spec), fingerprint.data(), fingerprint.size());
+  Trailer trailer{magic,
+                  footer_version,
+                  static_cast<std::uint32_t>(bytes_of(spec.scalar)),
+                  spec.rows,
+                  spec.columns,
+                  fingerprint.size(),
+                  XXH3_64bits(fingerprint.data(), fingerprint.size()),
+                  0,
+                  0};
+  trailer.checksum = checksum_of(trailer);
+  file.write_at(partial_bytes(spec) - sizeof(Trailer), &trailer, sizeof(Trailer));
+  file.sync();
+}
+
+std::optional<MatrixFile::Spec> read_footer(const PosixFile& file) {
+  const std::uint64_t size = file.size();
+  if (size == 0) return std::nullopt;
+  if (size < 2 * sizeof(Trailer)) refuse_damaged(file);
+  std::array<char, sizeof(Trailer)> first, last;
+  file.read_at(0, first.data(), first.size());
+  file.read_at(size - last.size(), last.data(), last.size());
+  const auto zero = [](char byte) { return byte == 0; };
+  // The header is written after the trailer, so a file that has neither was given up before the first row.
+  if (std::ranges::all_of(first, zero) && std::ranges::all_of(last, zero)) return std::nullopt;
+
+  const auto trailer = std::bit_cast<Trailer>(last);
+  if (trailer.magic != magic || trailer.version != footer_version || trailer.checksum != checksum_of(trailer))
+    refuse_damaged(file);
+  MatrixFile::Spec spec;
+  spec.rows = trailer.rows, spec.columns = trailer.columns;
+  spec.scalar = trailer.scalar_bytes == 8 ? ScalarType::float64 : ScalarType::float32;
+  if (trailer.fingerprint_bytes > size) refuse_damaged(file);
+  spec.fingerprint.resize(trailer.fingerprint_bytes);
+  if (partial_bytes(spec) != size) refuse_damaged(file);
+  file.read_at(fingerprint_offset(spec), spec.fingerprint.data(), spec.fingerprint.size());
+  if (XXH3_64bits(spec.fingerprint.data(), spec.fingerprint.size()) != trailer.fingerprint_checksum)
+    refuse_damaged(file);
+  return spec;
+}
+
+std::string differences(const MatrixFile::Spec& stored, const MatrixFile::Spec& now) {
+  std::string text;
+  if (stored.fingerprint != now.fingerprint) text = fingerprint_differences(stored.fingerprint, now.fingerprint);
+  const auto compare = [&](const char* what, std::uint64_t was, std::uint64_t is) {
+    if (was != is) add_difference(text, what, std::to_string(was), std::to_string(is));
+  };
+  compare("the number of rows", stored.rows, now.rows);
+  compare("the number of columns", stored.columns, now.columns);
+  compare("the bytes of an entry", bytes_of(stored.scalar), bytes_of(now.scalar));
+  return text;
+}
+
+}  // namespace geodrome

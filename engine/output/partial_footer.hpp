@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "engine/output/posix_file.hpp"
+#include "geodrome/engine/matrix_file.hpp"
+
+/// The footer of a matrix file that is not finished, behind the .npy data:
+///
+///     8 bytes a row   checksum of the row; 0: the row is not there
+///     fingerprint     text
+///     padding         zeros, up to a multiple of 64 bytes
+///     trailer         64 bytes: magic, version, shape, scalar, length of the fingerprint, checksums
+///
+/// The trailer stands at the end, so that a partial of another shape can be understood too. It is written last and lies
+/// within one page: it is there as a whole or not at all, whenever the process dies.
+namespace geodrome {
+
+/// Where the checksum of a row stands.
+std::uint64_t checksum_offset(const MatrixFile::Spec& spec, std::uint64_t row);
+
+/// Size of the partial file, footer included. Throws RefusedError as `MatrixFile::bytes`.
+std::uint64_t partial_bytes(const MatrixFile::Spec& spec);
+
+/// Writes fingerprint and trailer into a file of `partial_bytes` zeros and waits until they are on the disk.
+void write_footer(const PosixFile& file, const MatrixFile::Spec& spec);
+
+/// The spec (without `out`) that a partial was started with. Nothing if its writer died before it had written the
+/// trailer, and therefore any row. Throws RefusedError, naming the file, if it is damaged or no partial.
+std::optional<MatrixFile::Spec> read_footer(const PosixFile& file);
+
+/// In which respects two specs differ, each with both values shortened to 60 characters: "/seed was 1 and is 2". Empty
+/// if they do not. The fingerprints are compared member by member if both are JSON, else as text.
+std::string differences(const MatrixFile::Spec& stored, const MatrixFile::Spec& now);
+
+}  // namespace geodrome
