@@ -29,7 +29,7 @@ endfunction()
 # Runs the third party's program with the install in `where`.
 function(check_library where)
   set(ENV{LD_LIBRARY_PATH} ${where}/${LIBDIR})
-  run(values ${third_party}/ten_lines ${third_party}/lib/geodrome)
+  run(values ${third_party}/ten_lines ${SOURCE}/rectangle.off ${third_party}/lib/geodrome)
   expect_equal("distances of the program" "${values}" "0\n3\n7\n4\n")
 endfunction()
 
