@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/control_lipschitz/cell_radius.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geodrome/errors.hpp"
+
+namespace geodrome {
+namespace {
+
+constexpr std::size_t first_neighbours = 16;  // enough for most cells
+constexpr std::size_t near_neighbours = 64;   // then the corners themselves are asked
+
+/// A unit vector at a right angle to `normal`: from the axis that is farthest from it, so that nothing cancels.
+Vec3 tangent_to(const Vec3& normal) {
+  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+  const Vec3 axis = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  const Vec3 t = cross(normal, axis);
+  return t / norm(t);
+}
+
+}  // namespace
+
+CellRadius CellRadiusFinder::operator()(Index site, const Vec3& normal) {
+  origin_ = neighbours_.points()[site];
+  u_ = tangent_to(normal);
+  v_ = cross(normal, u_);
+  cell_.reset(reach_);
+  if (!cut_by_near(site)) cut_by_far(site);
+  if (const auto vertex = cell_.farthest_real()) return {*vertex, cell_.bounded()};
+  if (const auto edge = cell_.farthest_edge()) return {*edge, false};
+  throw SampleError("point " + std::to_string(site) + " has no neighbour along its tangent plane",
+                    "the sample needs more points around it");
+}
+
+/// The bisector of the site and `other`, cut by the plane: x.d <= |d|^2 / 2 with d = other - site.
+bool CellRadiusFinder::cut(Index other) {
+  const Vec3 d = neighbours_.points()[other] - origin_;
+  const double x = dot(d, u_), y = dot(d, v_);
+  const double length = std::hypot(x, y);
+  if (length == 0) return false;  // straight above: the bisector does not meet the plane
+  return cell_.cut({x / length, y / length, squared_norm(d) / (2 * length), other});
+}
+
+/// Neighbours in increasing distance until the next one is farther than twice the farthest corner: such a one cuts
+/// nothing. True if it came to that, or to the last point.
+bool CellRadiusFinder::cut_by_near(Index site) {
+  std::size_t done = 0;
+  for (std::size_t k = first_neighbours; k <= near_neighbours; k *= 2) {
+    neighbours_.nearest(origin_, k, found_, site);
+    for (; done < found_.size(); ++done) {
+      if (std::sqrt(found_[done].squared_distance) > 2 * cell_.farthest()) return true;
+      cut(found_[done].index);
+    }
+    if (found_.size() < k) return true;
+  }
+  return false;
+}
+
+/// A corner is final if no point is nearer to it than the site; if one is, it cuts the corner off. Asking the corners
+/// ends after a few questions also for cells without an end, where the other way would go through the whole sample.
+void CellRadiusFinder::cut_by_far(Index site) {
+  tried_.assign(1, site);
+  for (const CellCorner& c : cell_.corners()) tried_.push_back(c.edge.site);
+  for (std::size_t i = 0; i < cell_.corners().size();) {
+    const CellCorner& corner = cell_.corners()[i];
+    neighbours_.nearest(origin_ + corner.x * u_ + corner.y * v_, 1, found_);
+    const Index other = found_.front().index;
+    // The site itself, or one whose edge is there already, is no nearer than the site but for rounding.
+    const bool tried = std::find(tried_.begin(), tried_.end(), other) != tried_.end();
+    if (!tried) tried_.push_back(other);
+    // A cut renumbers the corners. Asking all of them again costs little: there are some six.
+    i = !tried && cut(other) ? 0 : i + 1;
+  }
+}
+
+}  // namespace geodrome

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "plugins/common/neighbours.hpp"
+#include "plugins/control_lipschitz/planar_cell.hpp"
+
+namespace geodrome {
+
+/// phi of one point, and whether its planar cell has an end.
+struct CellRadius {
+  double phi = 0;
+  bool bounded = false;
+};
+
+/// Computes phi(s) of Theorem 3: the distance of s from the farthest vertex of the planar Voronoi cell of s, which is
+/// the cell of s in space cut by the tangent plane through s. Exact up to rounding: no neighbour that matters is
+/// missed.
+///
+/// Where the cell has no end (a corner farther than `reach`, or none), phi is the distance of the farthest real vertex,
+/// and if there is no such vertex, of the farthest edge: both are distances that the cell certainly reaches. Keeps
+/// buffers: one object per thread.
+class CellRadiusFinder {
+ public:
+  /// `reach`: how far a cell may go before it counts as one without an end. `neighbours` must outlive this object.
+  CellRadiusFinder(const Neighbours& neighbours, double reach) : neighbours_(neighbours), reach_(reach) {}
+
+  /// `normal` is a unit vector. Throws SampleError if no other point limits the cell of `site`. O(log n) typically.
+  CellRadius operator()(Index site, const Vec3& normal);
+
+ private:
+  bool cut(Index other);
+  bool cut_by_near(Index site);
+  void cut_by_far(Index site);
+
+  const Neighbours& neighbours_;
+  const double reach_;
+  PlanarCell cell_;
+  Vec3 origin_, u_, v_;  // of the tangent plane
+  std::vector<Neighbour> found_;
+  std::vector<Index> tried_;
+};
+
+}  // namespace geodrome

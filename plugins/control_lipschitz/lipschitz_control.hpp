@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geodrome/control_function.hpp"
+#include "geodrome/options.hpp"
+
+namespace geodrome {
+
+inline constexpr OptionSpec lipschitz_options[] = {
+    boolean_option("cap", "on", "limit phi to 1.5 times the median of the 17 nearest points; off: as in the paper"),
+};
+
+/// phi' = phi_factor phi bounds the restricted Voronoi cell (Lemma 2, Corollary 4).
+inline constexpr double phi_factor = 1.0005;
+/// The slope of equation (1); below 1/18 (Lemma 5).
+inline constexpr double psi_slope = 1.19 / 22;
+
+/// The control function of Section 2.2.2: phi by planar Voronoi cells (Theorem 3), capped, and
+/// psi(s) = max over s' of phi'(s') - 1.19/22 |ss'| (equation (1)), bitwise that of the plain double loop.
+///
+/// The cap replaces phi by 1.5 times the median phi of the 17 nearest points (with ties), where it is larger: one
+/// outlier or one bad normal would otherwise decide psi everywhere. A point both `unbounded` and capped is `unbounded`;
+/// the measures "unbounded" and "capped" count both.
+class LipschitzControl final : public ControlFunction {
+ public:
+  explicit LipschitzControl(const OptionValues& options) : cap_(options.boolean("cap")) {}
+
+  /// Needs unit normals. O(n log n) typically. Throws SampleError if there are points but a cell that no other limits.
+  Control evaluate(const PointSample& sample, const Tangents& tangents, RunContext& context) const override;
+
+ private:
+  bool cap_;
+};
+
+}  // namespace geodrome
