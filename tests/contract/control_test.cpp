@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contract/sample_context.hpp"
+#include "geodrome/control_function.hpp"
 #include "support/samples.hpp"
 
 namespace geodrome {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "contract/sample_context.hpp"
+#include "geodrome/decimator.hpp"
 #include "support/samples.hpp"
 
 namespace geodrome {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contract/sample_context.hpp"
+#include "geodrome/tangent_estimator.hpp"
 #include "support/samples.hpp"
 
 namespace geodrome {
