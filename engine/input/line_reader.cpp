@@ -36,7 +36,8 @@ bool LineReader::next() {
       if (!joined) break;
       from = next_;
     }
-    if (style_.comment) end_ = std::min(end_, text_.find(style_.comment, position_));
+    const std::string_view line = text_.substr(position_, end_ - position_);
+    if (style_.comment) end_ = position_ + std::min(line.size(), line.find(style_.comment));
     while (position_ < end_ && is_blank(text_[position_])) ++position_;
     if (position_ < end_) return true;
   }

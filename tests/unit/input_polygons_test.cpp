@@ -8,9 +8,17 @@ namespace {
 
 // One face over all the points.
 Input read_polygon(const std::string& points, int corners) {
-  std::string face = std::to_string(corners);
-  for (int i = 0; i < corners; ++i) face += " " + std::to_string(i);
-  return read_bytes("p.off", "OFF\n" + std::to_string(corners) + " 1 0\n" + points + face + "\n");
+  std::string text = "OFF\n";
+  text += std::to_string(corners);
+  text += " 1 0\n";
+  text += points;
+  text += std::to_string(corners);
+  for (int i = 0; i < corners; ++i) {
+    text += ' ';
+    text += std::to_string(i);
+  }
+  text += '\n';
+  return read_bytes("p.off", text);
 }
 
 double area(const Input& input) {

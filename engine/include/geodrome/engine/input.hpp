@@ -30,9 +30,9 @@ struct InputFacts {
   std::size_t duplicate_positions = 0;///< mesh vertices at the same place as an earlier one (not welded)
   std::size_t isolated_vertices = 0;
   std::size_t nonmanifold_edges = 0, nonmanifold_vertices = 0;
-  std::size_t components = 0, boundary_edges = 0, boundary_loops = 0;
-  bool manifold = true, oriented = true, orientable = true;
-  std::optional<long> euler_number, genus;  ///< genus: summed over components; only of manifold, orientable meshes
+  std::size_t components = 0, boundary_edges = 0, boundary_loops = 0;  ///< components: joined by vertices; isolated ones apart
+  bool manifold = true, oriented = true, orientable = true;  ///< orientable: across the edges that have two faces
+  std::optional<long> euler_number, genus;  ///< without isolated vertices; genus: summed over components, if manifold, orientable
   double bounding_box_diagonal = 0;
 };
 
