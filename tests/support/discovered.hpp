@@ -30,8 +30,9 @@ struct Discovered {
 
 /// Every plugin of a stage that this build made, by name. Opens the files itself, so that a fault of the plugin host is
 /// no fault of a plugin. Never closes them.
+/// `options_of` gives the options of a plugin by its name, as a user would write them.
 template <class Stage>
-std::vector<Discovered<Stage>> discovered() {
+std::vector<Discovered<Stage>> discovered(std::string (*options_of)(const std::string& name) = nullptr) {
   std::vector<Discovered<Stage>> plugins;
   for (const auto& entry : std::filesystem::directory_iterator(GEODROME_BINARY_DIR "/lib/geodrome")) {
     if (entry.path().extension() != ".so") continue;
@@ -41,7 +42,7 @@ std::vector<Discovered<Stage>> discovered() {
     if (!entry_point) throw std::runtime_error(entry.path().string() + " has no entry");
     const PluginDescriptor& plugin = *entry_point();
     if (std::strcmp(plugin.stage, Stage::stage) != 0) continue;
-    const OptionValues options({plugin.options, plugin.option_count});
+    const OptionValues options({plugin.options, plugin.option_count}, options_of ? options_of(plugin.name) : "");
     const ErrorSink errors{nullptr, [](void*, bool, const char*) noexcept {}};
     auto* object = static_cast<Stage*>(plugin.create(&options, &errors));
     if (!object) throw std::runtime_error(entry.path().string() + " cannot be made");

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reconstructor_advancing_front/manifold_faces.hpp"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "common/vertex_components.hpp"
+
+namespace geodrome {
+namespace {
+
+/// The fan of every corner (3 f + i), named by its lowest corner.
+std::vector<Index> fans_of_corners(std::span<const Triangle> faces, std::span<const Index> twins) {
+  const auto vertex = [&](Index corner) { return faces[corner / 3][corner % 3]; };
+  detail::DisjointSets fans(twins.size());
+  for (Index h = 0; h < twins.size(); ++h) {
+    const Index twin = twins[h];
+    if (twin == no_index || twin < h) continue;
+    for (const Index here : {h, SurfaceMesh::next(h)})
+      for (const Index there : {twin, SurfaceMesh::next(twin)})
+        if (vertex(here) == vertex(there)) fans.unite(here, there);
+  }
+  std::vector<Index> fan(twins.size());
+  for (Index corner = 0; corner < fan.size(); ++corner) fan[corner] = fans.find(corner);
+  return fan;
+}
+
+}  // namespace
+
+std::size_t drop_minor_fans(std::vector<Triangle>& faces, std::size_t vertex_count) {
+  const std::size_t before = faces.size();
+  for (;;) {
+    const detail::Connectivity connectivity = detail::connect(faces, vertex_count);
+    if (connectivity.manifold || connectivity.twins.empty()) return before - faces.size();
+    const std::vector<Index> fan = fans_of_corners(faces, connectivity.twins);
+    std::vector<std::size_t> size(fan.size(), 0);
+    for (const Index f : fan) ++size[f];
+    std::vector<Index> best(vertex_count, no_index);
+    for (Index corner = 0; corner < fan.size(); ++corner) {
+      Index& kept = best[faces[corner / 3][corner % 3]];
+      if (kept == no_index || size[fan[corner]] > size[kept]) kept = fan[corner];
+    }
+    std::vector<Triangle> left;
+    for (Index f = 0; f < faces.size(); ++f) {
+      bool keep = true;
+      for (Index i = 0; i < 3; ++i) keep = keep && best[faces[f][i]] == fan[3 * f + i];
+      if (keep) left.push_back(faces[f]);
+    }
+    faces = std::move(left);
+  }
+}
+
+void orient_outwards(std::vector<Triangle>& faces, std::span<const Vec3> points) {
+  const detail::Connectivity connectivity = detail::connect(faces, points.size());
+  detail::DisjointSets sets(points.size());
+  for (const Triangle& t : faces) sets.unite(t[0], t[1]), sets.unite(t[0], t[2]);
+  std::vector<double> volume(points.size(), 0);
+  std::vector<bool> open(points.size(), false);
+  for (Index f = 0; f < faces.size(); ++f) {
+    const Index component = sets.find(faces[f][0]);
+    const auto& [a, b, c] = faces[f];
+    const Vec3 origin = points[component];
+    volume[component] += dot(points[a] - origin, cross(points[b] - origin, points[c] - origin));
+    for (Index i = 0; i < 3; ++i)
+      if (connectivity.twins[3 * f + i] == no_index) open[component] = true;
+  }
+  for (Triangle& t : faces) {
+    const Index component = sets.find(t[0]);
+    if (!open[component] && volume[component] < 0) std::swap(t[1], t[2]);
+  }
+}
+
+BoundaryFacts boundary_facts(const SurfaceMesh& mesh) {
+  constexpr std::size_t shown = 10;
+  BoundaryFacts facts;
+  detail::DisjointSets loops(mesh.vertex_count());
+  std::set<Index> on_boundary;
+  for (Index h = 0; h < mesh.twins().size(); ++h) {
+    if (mesh.twins()[h] != no_index) continue;
+    loops.unite(mesh.from(h), mesh.to(h));
+    on_boundary.insert({mesh.from(h), mesh.to(h)});
+  }
+  for (const Index v : on_boundary) {
+    if (loops.find(v) == v) ++facts.loops;
+    if (facts.some_vertices.size() < shown) facts.some_vertices.push_back(v);
+  }
+  const std::vector<Index> component = vertex_components(mesh);
+  for (Index v = 0; v < component.size(); ++v)
+    if (component[v] == v) ++facts.components;
+  return facts;
+}
+
+}  // namespace geodrome

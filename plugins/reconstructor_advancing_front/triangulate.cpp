@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reconstructor_advancing_front/triangulate.hpp"
+
+#include <CGAL/Advancing_front_surface_reconstruction.h>
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include <CGAL/assertions_behaviour.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+namespace geodrome {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// CGAL's failures become NumericalErrors.
+template <class Function>
+auto guarded(Function&& function) {
+  CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  try {
+    return function();
+  } catch (const CGAL::Failure_exception& failure) {
+    throw NumericalError(std::string("CGAL failed: ") + failure.what(), "choose another reconstructor");
+  }
+}
+
+Vec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// CGAL's own priority for what the rule allows.
+struct RulePriority {
+  const FaceRule* rule;
+
+  template <class Front, class Cell>
+  double operator()(const Front& front, Cell& cell, const int& index) const {
+    std::array<std::size_t, 3> corner;
+    for (int i = 0; i < 3; ++i) corner[i] = cell->vertex((index + 1 + i) % 4)->info();
+    if (*std::max_element(corner.begin(), corner.end()) >= rule->points.size()) return front.infinity();
+    if (!rule->allows(static_cast<Index>(corner[0]), static_cast<Index>(corner[1]), static_cast<Index>(corner[2])))
+      return front.infinity();
+    return front.smallest_radius_delaunay_sphere(cell, index);
+  }
+};
+
+}  // namespace
+
+bool FaceRule::allows(Index a, Index b, Index c) const {
+  const double ab = distance(points[a], points[b]), bc = distance(points[b], points[c]),
+               ca = distance(points[c], points[a]);
+  if (ab > edge_bound * std::min(psi[a], psi[b]) || bc > edge_bound * std::min(psi[b], psi[c]) ||
+      ca > edge_bound * std::min(psi[c], psi[a]))
+    return false;
+  const double twice_area = norm(cross(points[b] - points[a], points[c] - points[a]));
+  return !by_radius || ab * bc * ca <= 2 * twice_area * radius_bound * std::min({psi[a], psi[b], psi[c]});
+}
+
+std::optional<PlaneFrame> common_plane(std::span<const Vec3> points) {
+  Vec3 centre;
+  for (const Vec3& p : points) centre = centre + p / static_cast<double>(points.size());
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  double extent = 0;
+  for (const Vec3& p : points) extent = std::max(extent, distance(p, centre));
+  if (!(extent > 0)) throw SampleError("the kept points are at one place");
+  for (const Vec3& p : points) {
+    const Vec3 d = (p - centre) / extent;
+    const Eigen::Vector3d v(d.x, d.y, d.z);
+    covariance += v * v.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+  Eigen::Vector3d normal = axes.eigenvectors().col(0), x = axes.eigenvectors().col(2);
+  Eigen::Index largest = 0;
+  normal.cwiseAbs().maxCoeff(&largest);
+  if (normal[largest] < 0) normal = -normal;
+  double off_plane = 0, off_line = 0;
+  for (const Vec3& p : points) {
+    const Vec3 d = p - centre;
+    off_plane = std::max(off_plane, std::abs(dot(d, vec(normal))));
+    off_line = std::max(off_line, norm(cross(d, vec(x))));
+  }
+  if (off_line <= planar_tolerance * extent)
+    throw SampleError("the kept points lie on a line", "a surface needs points that span at least a plane");
+  if (off_plane > planar_tolerance * extent) return std::nullopt;
+  return PlaneFrame{centre, vec(x), vec(normal.cross(x))};
+}
+
+std::vector<Triangle> planar_triangles(const PlaneFrame& frame, const FaceRule& rule, std::size_t& cut) {
+  using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
+  using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
+  std::vector<std::pair<Kernel::Point_2, Index>> flat;
+  for (Index i = 0; i < rule.points.size(); ++i) {
+    const Vec3 d = rule.points[i] - frame.origin;
+    flat.emplace_back(Kernel::Point_2(dot(d, frame.x), dot(d, frame.y)), i);
+  }
+  return guarded([&] {
+    const Delaunay delaunay(flat.begin(), flat.end());
+    std::vector<Triangle> faces;
+    for (const auto& face : delaunay.finite_face_handles()) {
+      const Triangle t{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
+      if (rule.allows(t[0], t[1], t[2]))
+        faces.push_back(t);
+      else
+        ++cut;
+    }
+    return faces;
+  });
+}
+
+std::vector<Triangle> front_triangles(const FaceRule& rule) {
+  std::vector<Kernel::Point_3> points;
+  for (const Vec3& p : rule.points) points.emplace_back(p.x, p.y, p.z);
+  return guarded([&] {
+    std::vector<std::array<std::size_t, 3>> found;
+    CGAL::advancing_front_surface_reconstruction(points.begin(), points.end(), std::back_inserter(found),
+                                                 RulePriority{&rule});
+    std::vector<Triangle> faces;
+    for (const auto& [a, b, c] : found)
+      faces.push_back({static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c)});
+    return faces;
+  });
+}
+
+}  // namespace geodrome

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+/// Which triangles cannot be faces of the surface, by the control function psi at their corners.
+struct FaceRule {
+  /// Lemma 9 bounds an edge by psi at its end; carried out, its proof gives 4.96.
+  static constexpr double edge_bound = 4.96;
+  /// The circumradius beyond which a face closes a hole that the sample shows.
+  static constexpr double radius_bound = 2.5;
+
+  std::span<const Vec3> points;
+  std::span<const double> psi;
+  bool by_radius = true;
+
+  bool allows(Index a, Index b, Index c) const;
+};
+
+/// The frame of the plane that holds all points up to `planar_tolerance` of their extent: two axes, right-handed with a
+/// normal whose largest component is positive.
+struct PlaneFrame {
+  Vec3 origin, x, y;
+};
+
+/// Thinner samples have no tetrahedra worth the name. A surface of this thickness with two sheets would need some 1e12
+/// points, so that nothing but a sheet is taken for one.
+inline constexpr double planar_tolerance = 1e-6;
+
+/// The plane of the points, or nothing. Throws SampleError if they lie on a line. O(n).
+std::optional<PlaneFrame> common_plane(std::span<const Vec3> points);
+
+/// The Delaunay triangles in the plane that the rule allows, oriented with the frame; `cut` counts those it does not.
+std::vector<Triangle> planar_triangles(const PlaneFrame& frame, const FaceRule& rule, std::size_t& cut);
+
+/// The faces of the advancing front that never takes a triangle that the rule does not allow.
+std::vector<Triangle> front_triangles(const FaceRule& rule);
+
+}  // namespace geodrome
