@@ -6,8 +6,8 @@
 
 #include "geodrome/options.hpp"
 
-/// The border between engine and plugin: one C function, `geodrome_plugin`, returns a pointer to plain data that the engine
-/// reads before it makes any C++ call into the plugin.
+/// The border between engine and plugin: one C function, `geodrome_plugin`, returns a pointer to plain data that the
+/// engine reads before it makes any C++ call into the plugin.
 namespace geodrome {
 
 /// Changes whenever a type that crosses the border changes. The host loads only plugins of its own version.
@@ -51,7 +51,7 @@ struct PluginDescriptor {
   std::uint64_t needs, provides;
   const OptionSpec* options;
   std::size_t option_count;
-  double (*factor)(const OptionValues*) noexcept;  ///< 1 exact, 1 + delta proven, +inf none
+  double (*factor)(const OptionValues*) noexcept;                   ///< 1 exact, 1 + delta proven, +inf none
   void* (*create)(const OptionValues*, const ErrorSink*) noexcept;  ///< an object of the stage's interface, or null
   void (*destroy)(void*) noexcept;
 };

@@ -7,8 +7,8 @@
 
 namespace geodrome {
 
-/// Per sample point, in the units of the input: phi (Theorem 3) after capping, and psi (equation (1)). Both are positive
-/// and finite except at points that are `dropped`, where both are NaN. The state is that of the tangents, or
+/// Per sample point, in the units of the input: phi (Theorem 3) after capping, and psi (equation (1)). Both are
+/// positive and finite except at points that are `dropped`, where both are NaN. The state is that of the tangents, or
 /// `unbounded` or `capped`.
 struct Control {
   std::vector<double> phi, psi;

@@ -60,7 +60,8 @@ class OptionValues {
       const std::size_t equal = item.find('=');
       const std::string key(item.substr(0, equal));
       const OptionSpec& spec = find(specs, key);
-      if (equal == std::string_view::npos) throw OptionError("option '" + key + "' has no value", "write " + key + "=VALUE");
+      if (equal == std::string_view::npos)
+        throw OptionError("option '" + key + "' has no value", "write " + key + "=VALUE");
       if (!given.emplace(key, true).second) throw OptionError("option '" + key + "' is given twice");
       const std::string value(item.substr(equal + 1));
       check(spec, value);
@@ -90,7 +91,8 @@ class OptionValues {
       if (key == spec.name) return spec;
       valid += (valid.empty() ? "" : ", ") + std::string(spec.name);
     }
-    throw OptionError("unknown option '" + key + "'", valid.empty() ? "there are no options" : "valid options: " + valid);
+    throw OptionError("unknown option '" + key + "'",
+                      valid.empty() ? "there are no options" : "valid options: " + valid);
   }
 
   static double parse(const std::string& text) {
@@ -114,7 +116,8 @@ class OptionValues {
     const double number = parse(value);
     const bool whole = spec.type == OptionType::integer;
     if (std::isnan(number) || (whole && number != std::floor(number)) || number < spec.minimum || number > spec.maximum)
-      throw OptionError(what + (whole ? "a whole number" : "a number") + " from " + shown(spec.minimum) + " to " + shown(spec.maximum));
+      throw OptionError(what + (whole ? "a whole number" : "a number") + " from " + shown(spec.minimum) + " to " +
+                        shown(spec.maximum));
   }
 
   static std::string shown(double value) {

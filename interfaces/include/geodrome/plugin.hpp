@@ -32,16 +32,21 @@ namespace detail {
 
 template <class P>
 concept StagePlugin = std::derived_from<P, TangentEstimator> || std::derived_from<P, ControlFunction> ||
-                      std::derived_from<P, Decimator> || std::derived_from<P, SurfaceReconstructor> ||
-                      std::derived_from<P, ShortestPathSolver>;
+    std::derived_from<P, Decimator> || std::derived_from<P, SurfaceReconstructor> ||
+    std::derived_from<P, ShortestPathSolver>;
 
 template <StagePlugin P>
 consteval auto interface_of() {
-  if constexpr (std::derived_from<P, TangentEstimator>) return std::type_identity<TangentEstimator>();
-  else if constexpr (std::derived_from<P, ControlFunction>) return std::type_identity<ControlFunction>();
-  else if constexpr (std::derived_from<P, Decimator>) return std::type_identity<Decimator>();
-  else if constexpr (std::derived_from<P, SurfaceReconstructor>) return std::type_identity<SurfaceReconstructor>();
-  else return std::type_identity<ShortestPathSolver>();
+  if constexpr (std::derived_from<P, TangentEstimator>)
+    return std::type_identity<TangentEstimator>();
+  else if constexpr (std::derived_from<P, ControlFunction>)
+    return std::type_identity<ControlFunction>();
+  else if constexpr (std::derived_from<P, Decimator>)
+    return std::type_identity<Decimator>();
+  else if constexpr (std::derived_from<P, SurfaceReconstructor>)
+    return std::type_identity<SurfaceReconstructor>();
+  else
+    return std::type_identity<ShortestPathSolver>();
 }
 
 template <StagePlugin P>
@@ -52,8 +57,10 @@ template <StagePlugin P>
 void* create(const OptionValues* options, const ErrorSink* errors) noexcept {
   try {
     InterfaceOf<P>* made = nullptr;
-    if constexpr (std::constructible_from<P, const OptionValues&>) made = new P(*options);
-    else made = new P();
+    if constexpr (std::constructible_from<P, const OptionValues&>)
+      made = new P(*options);
+    else
+      made = new P();
     return made;
   } catch (const OptionError& error) {
     errors->report(errors->receiver, true, error.what());
@@ -72,9 +79,20 @@ void destroy(void* object) noexcept {
 
 template <StagePlugin P>
 constexpr PluginDescriptor describe(const PluginTraits& traits) {
-  return {sizeof(PluginDescriptor), interface_version, build_tag, InterfaceOf<P>::stage, traits.name, traits.summary,
-          traits.licence, traits.needs, traits.provides, traits.options.data(), traits.options.size(), traits.factor,
-          &create<P>, &destroy<P>};
+  return {sizeof(PluginDescriptor),
+          interface_version,
+          build_tag,
+          InterfaceOf<P>::stage,
+          traits.name,
+          traits.summary,
+          traits.licence,
+          traits.needs,
+          traits.provides,
+          traits.options.data(),
+          traits.options.size(),
+          traits.factor,
+          &create<P>,
+          &destroy<P>};
 }
 
 }  // namespace detail
@@ -84,9 +102,9 @@ constexpr PluginDescriptor describe(const PluginTraits& traits) {
 /// without arguments, as the plugin of this shared library:
 ///
 ///     GEODROME_PLUGIN(MySolver, .name = "mine", .summary = "what it does", .licence = "MIT")
-#define GEODROME_PLUGIN(Class, ...)                                                                               \
+#define GEODROME_PLUGIN(Class, ...)                                                                                \
   extern "C" __attribute__((visibility("default"))) const geodrome::PluginDescriptor* geodrome_plugin() noexcept { \
-    static constexpr geodrome::PluginDescriptor descriptor =                                                      \
-        geodrome::detail::describe<Class>(geodrome::PluginTraits{__VA_ARGS__});                                   \
-    return &descriptor;                                                                                           \
+    static constexpr geodrome::PluginDescriptor descriptor =                                                       \
+        geodrome::detail::describe<Class>(geodrome::PluginTraits{__VA_ARGS__});                                    \
+    return &descriptor;                                                                                            \
   }

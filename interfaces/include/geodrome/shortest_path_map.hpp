@@ -26,14 +26,15 @@ struct Distance {
   Index source = no_index;
 };
 
-/// A named figure of a search, for the run report.
+/// A named figure of a search, for the run report, which adds them up over the searches; a name that starts with
+/// "largest_" is combined by maximum instead.
 struct Counter {
   const char* name;
   std::uint64_t value;
 };
 
-/// The result of one search: distances from the nearest source, and the way to it. Valid until the next run of the search
-/// that made it. What the request did not ask to keep is refused with a CapabilityError, never guessed.
+/// The result of one search: distances from the nearest source, and the way to it. Valid until the next run of the
+/// search that made it. What the request did not ask to keep is refused with a CapabilityError, never guessed.
 class GEODROME_VISIBLE ShortestPathMap {
  public:
   virtual ~ShortestPathMap() = default;
@@ -44,9 +45,9 @@ class GEODROME_VISIBLE ShortestPathMap {
   /// The distance at a surface point. With Keep::targets only vertices and the request's targets may be asked.
   virtual Distance at(const SurfacePoint& point) const = 0;
 
-  /// Replaces `out` by a shortest path from `point` to its nearest source: surface points whose consecutive pairs lie in a
-  /// common face. Its length plus the source's start distance is the distance (exact solvers: to 1e-12 relative). Empty if
-  /// the point was not reached. Needs Keep::map.
+  /// Replaces `out` by a shortest path from `point` to its nearest source: surface points whose consecutive pairs lie
+  /// in a common face. Its length plus the source's start distance is the distance (exact solvers: to 1e-12 relative).
+  /// Empty if the point was not reached. Needs Keep::map.
   virtual void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const = 0;
 
   virtual std::span<const Counter> counters() const = 0;

@@ -50,7 +50,8 @@ class GEODROME_VISIBLE PairOracle {
   virtual void save(std::ostream& out) const = 0;
 };
 
-/// A mesh made ready for searches: immutable, shared by all threads; its searches may outlive neither it nor the plugin.
+/// A mesh made ready for searches: immutable, shared by all threads; its searches may outlive neither it nor the
+/// plugin.
 class GEODROME_VISIBLE PreparedSurface {
  public:
   virtual ~PreparedSurface() = default;

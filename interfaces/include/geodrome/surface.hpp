@@ -31,8 +31,8 @@ struct SurfacePoint {
 /// Half-edge 3 f + i runs from corner i of face f to corner i + 1. Lengths are in the units of the input.
 class SurfaceMesh {
  public:
-  /// `face_weights` is empty (all 1) or has one positive number per face. Throws InputError for an index out of range, a
-  /// face that repeats a vertex, a coordinate or weight that is not finite. O(F log F).
+  /// `face_weights` is empty (all 1) or has one positive number per face. Throws InputError for an index out of range,
+  /// a face that repeats a vertex, a coordinate or weight that is not finite. O(F log F).
   SurfaceMesh(std::vector<Vec3> positions, std::vector<Triangle> triangles, std::vector<double> face_weights = {})
       : positions_(std::move(positions)), triangles_(std::move(triangles)), face_weights_(std::move(face_weights)) {
     check();
@@ -95,8 +95,8 @@ class SurfaceMesh {
 
   /// Memory held, in bytes.
   std::size_t bytes() const noexcept {
-    return positions_.size() * (sizeof(Vec3) + sizeof(Index)) + triangles_.size() * (sizeof(Triangle) + 3 * sizeof(Index)) +
-           face_weights_.size() * sizeof(double);
+    return positions_.size() * (sizeof(Vec3) + sizeof(Index)) +
+           triangles_.size() * (sizeof(Triangle) + 3 * sizeof(Index)) + face_weights_.size() * sizeof(double);
   }
 
  private:
@@ -104,8 +104,10 @@ class SurfaceMesh {
     const auto fail = [](InputFault fault, const char* what, std::size_t i) {
       throw InputError(fault, std::string(what) + " (element " + std::to_string(i) + ")");
     };
-    if (positions_.size() >= no_index || triangles_.size() >= no_index / 3) fail(InputFault::unsupported, "mesh too large", 0);
-    if (!face_weights_.empty() && face_weights_.size() != triangles_.size()) fail(InputFault::index, "face weights do not match the faces", 0);
+    if (positions_.size() >= no_index || triangles_.size() >= no_index / 3)
+      fail(InputFault::unsupported, "mesh too large", 0);
+    if (!face_weights_.empty() && face_weights_.size() != triangles_.size())
+      fail(InputFault::index, "face weights do not match the faces", 0);
     for (std::size_t v = 0; v < positions_.size(); ++v)
       if (!is_finite(positions_[v])) fail(InputFault::nonfinite, "vertex is not finite", v);
     for (std::size_t f = 0; f < triangles_.size(); ++f) {
@@ -114,7 +116,8 @@ class SurfaceMesh {
       if (a == b || b == c || c == a) fail(InputFault::degenerate, "face names a vertex twice", f);
     }
     for (std::size_t f = 0; f < face_weights_.size(); ++f)
-      if (!(face_weights_[f] > 0) || !std::isfinite(face_weights_[f])) fail(InputFault::range, "face weight is not positive and finite", f);
+      if (!(face_weights_[f] > 0) || !std::isfinite(face_weights_[f]))
+        fail(InputFault::range, "face weight is not positive and finite", f);
   }
 
   std::vector<Vec3> positions_;

@@ -18,7 +18,8 @@ enum class PointState : std::uint8_t {
 };
 
 /// The plane through `origin` (the point, smoothed if the estimator smooths) with unit `normal`; the normal's sign is
-/// arbitrary. `residual`: root mean square distance of the neighbours from the fitted surface, in the units of the input.
+/// arbitrary. `residual`: root mean square distance of the neighbours from the fitted surface, in the units of the
+/// input.
 struct TangentPlane {
   Vec3 origin, normal;
   double residual = 0;

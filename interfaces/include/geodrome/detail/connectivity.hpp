@@ -54,8 +54,8 @@ inline std::vector<EdgeUse> sorted_edge_uses(std::span<const std::array<Index, 3
   return uses;
 }
 
-/// True if the faces around every vertex form one fan: no bow-ties. Corners are joined across every shared edge; a vertex
-/// whose corners stay in several sets has several fans.
+/// True if the faces around every vertex form one fan: no bow-ties. Corners are joined across every shared edge; a
+/// vertex whose corners stay in several sets has several fans.
 inline bool one_fan_per_vertex(std::span<const std::array<Index, 3>> triangles, std::span<const Index> twins,
                                std::size_t vertex_count) {
   const auto vertex = [&](Index corner) { return triangles[corner / 3][corner % 3]; };
@@ -82,7 +82,8 @@ inline Connectivity connect(std::span<const std::array<Index, 3>> triangles, std
   Connectivity result;
   result.twins.assign(3 * triangles.size(), no_index);
   result.first_half_edge.assign(vertex_count, no_index);
-  for (Index h = 3 * static_cast<Index>(triangles.size()); h-- > 0;) result.first_half_edge[triangles[h / 3][h % 3]] = h;
+  for (Index h = 3 * static_cast<Index>(triangles.size()); h-- > 0;)
+    result.first_half_edge[triangles[h / 3][h % 3]] = h;
 
   const std::vector<EdgeUse> uses = sorted_edge_uses(triangles);
   for (std::size_t i = 0, end = 0; i < uses.size(); i = end) {

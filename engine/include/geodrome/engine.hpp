@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The engine as a library: what the program `geodrome` does, from C++.
+#include "geodrome/engine/audit.hpp"
+#include "geodrome/engine/input.hpp"
+#include "geodrome/engine/jobs.hpp"
+#include "geodrome/engine/pipeline.hpp"
+#include "geodrome/engine/plugin_host.hpp"
+#include "geodrome/engine/selection.hpp"
+#include "geodrome/engine/version.hpp"

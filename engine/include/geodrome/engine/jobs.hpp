@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "geodrome/engine/matrix_file.hpp"
+#include "geodrome/engine/observer.hpp"
+#include "geodrome/engine/pipeline.hpp"
+#include "geodrome/engine/selection.hpp"
+
+namespace geodrome {
+
+/// How a place off the surface is treated. `project`: its closest surface point, D = max(surface distance, |st|).
+enum class QueryRule { project };
+
+/// Distances from sources to targets: Algorithm 2. Paths that are empty are not written.
+struct DistanceJob {
+  std::filesystem::path input;
+  RunSettings settings;
+  std::string sources = "all", targets = "all";  ///< see `select`
+  QueryRule query = QueryRule::project;
+  double max_distance = std::numeric_limits<double>::infinity();  ///< farther is +inf
+  ScalarType scalar = ScalarType::float64;
+  std::filesystem::path matrix;   ///< .npy or .csv
+  std::filesystem::path nearest;  ///< .csv: one search from all sources at once
+  std::filesystem::path surface;  ///< the mesh that was used
+  std::filesystem::path report;   ///< .json
+  bool resume = false;            ///< go on with MATRIX.partial
+  bool yes = false;               ///< consent to more than 4 GB
+  double audit_share = 0.01;      ///< of the faces; 0: no audit
+};
+
+/// The run report as JSON text, and a few lines for people.
+struct JobReport {
+  std::string json, summary;
+};
+
+/// Does the whole job: reads, runs the stages, computes, checks, writes. Files appear whole or not at all, but for
+/// MATRIX.partial, which an interrupted job leaves for `resume`. Throws any geodrome::Error. Memory: the surface, the
+/// prepared solver, and O(targets) per thread.
+JobReport run_distances(const DistanceJob& job, Observer& observer);
+
+/// One shortest path. `.obj` (a polyline), `.csv` (x,y,z,face,b0,b1,b2) or `.json` by the name's ending.
+struct PathJob {
+  std::filesystem::path input;
+  RunSettings settings;
+  std::string from, to;  ///< one entry each, as `select` reads it
+  std::filesystem::path out;
+};
+
+/// A polyline of surface points from `from` to `to`; empty if unreachable, then `distance` is +inf.
+struct PathResult {
+  double distance = 0;  ///< max(surface distance, |st|) for a cloud
+  double length = 0;    ///< of the polyline
+  std::vector<SurfacePoint> points;
+  std::vector<Vec3> positions;
+};
+
+PathResult run_path(const PathJob& job, Observer& observer);
+
+/// The same distances by several solvers.
+struct CompareJob {
+  std::filesystem::path input;
+  RunSettings settings;
+  std::vector<std::string> solvers;  ///< the first is what the others are compared with
+  std::string sources = "0";
+};
+
+/// Figures of one solver. `error` is empty if it ran; the relative differences are to the first solver, over the
+/// targets that both reach at a distance above 0.
+struct CompareRow {
+  std::string solver, error;
+  int error_status = 0;  ///< the exit status that the error stands for
+  double factor = 0, prepare_seconds = 0, seconds_per_source = 0;
+  double max_difference = 0, mean_difference = 0;
+  std::uint64_t compared = 0, unreachable = 0, reach_differs = 0;
+};
+
+std::vector<CompareRow> run_compare(const CompareJob& job, Observer& observer);
+
+/// The exit status that stands for an error: 2 usage, 3 input or capability, 4 refused, 5 plugin, 130 cancelled,
+/// else 1.
+int exit_status(const std::exception& error) noexcept;
+
+}  // namespace geodrome

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string_view>
+
+#include "geodrome/run_context.hpp"
+
+namespace geodrome {
+
+/// What a caller of the engine may hear and say while a job runs. Every member may be called from any thread.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+
+  /// `stage` is one of the five stages, or "input", "distances", "invariants", "audit"; `fraction` in [0, 1].
+  virtual void progress(std::string_view /*stage*/, double /*fraction*/) {}
+  virtual void log(LogLevel, std::string_view /*message*/) {}
+  /// Asked often; true ends the job with Cancelled.
+  virtual bool cancelled() const noexcept { return false; }
+};
+
+}  // namespace geodrome

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geodrome/engine/input.hpp"
+#include "geodrome/engine/observer.hpp"
+#include "geodrome/engine/plugin_host.hpp"
+#include "geodrome/engine/surface_locator.hpp"
+#include "geodrome/plugin.hpp"
+
+namespace geodrome {
+
+/// Which plugin does each stage, as PluginHost::load takes it: "name[:key=value,...]".
+struct StageChoice {
+  std::string tangent = "pca", control = "lipschitz", decimator = "greedy", reconstructor = "advancing_front",
+              solver = "cgal";
+};
+
+/// What every job shares. `threads` 0 means one per core. No result depends on it.
+struct RunSettings {
+  StageChoice stages;
+  ReadOptions read;
+  std::vector<std::filesystem::path> plugin_path;
+  unsigned threads = 0;
+  std::uint64_t seed = 1;
+};
+
+/// What one stage did: for the run report.
+struct StageRecord {
+  PluginInfo plugin;
+  OptionValues options;
+  double seconds = 0;
+  std::map<std::string, double> measures;
+};
+
+/// Where a point of the input, or one the user named, lies on the surface.
+struct Place {
+  enum class State : std::uint8_t {
+    on_surface,
+    isolated,  ///< a vertex that no face uses: reaches only itself
+    dropped    ///< not finite or an outlier: its distances are NaN
+  };
+
+  State state = State::dropped;
+  SurfacePoint at;          ///< if on_surface
+  Index vertex = no_index;  ///< the vertex there, if it is one
+  Vec3 position;            ///< the point itself, which for a cloud may lie beside the surface
+};
+
+/// The sample stages' results, kept for the report; empty for a mesh as input.
+struct SampleStages {
+  Tangents tangents;
+  Control control;
+  std::vector<Index> kept, sample_of_vertex;
+};
+
+/// A surface, and on it a place for every row of the input.
+struct Surface {
+  InputKind made_from = InputKind::mesh;
+  MeshPtr mesh;
+  std::shared_ptr<const SurfaceLocator> locator;  ///< of a cloud's surface; null for a mesh, whose rows need none
+  std::vector<Place> places;
+  std::optional<SampleStages> sample;
+  std::vector<StageRecord> stages;
+  std::vector<Finding> findings;
+};
+
+/// Lines 3 to 7 of Algorithm 2: stages 1 to 4 for a cloud; for a mesh, the mesh. Places follow the corrected query
+/// rule: the globally closest point of the surface. Errors: what the plugins throw, and PluginError for a result that
+/// breaks the interface. Complexity: that of the plugins, and O(n log F) for the places.
+Surface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
+
+/// Stage 5 made ready: the solver's plugin with the surface prepared.
+struct PreparedSolver {
+  Plugin<ShortestPathSolver> plugin;
+  std::shared_ptr<const PreparedSurface> prepared;
+  StageRecord record;
+
+  bool provides(Provides bit) const { return (plugin.info.provides & bit) != 0; }
+};
+
+/// Loads `selection` and prepares `mesh`. Throws CapabilityError, naming what is missing, if the mesh lacks what the
+/// solver needs.
+PreparedSolver prepare_solver(MeshPtr mesh, const PluginHost& host, const std::string& selection,
+                              const RunSettings& settings, Observer& observer);
+
+/// The number of threads that `settings` asks for.
+unsigned thread_count(const RunSettings& settings);
+
+}  // namespace geodrome

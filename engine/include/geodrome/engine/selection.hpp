@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "geodrome/engine/pipeline.hpp"
+
+namespace geodrome {
+
+/// A source or target that the user named.
+struct Query {
+  Place place;
+  double start = 0;      ///< start distance; 0 for targets
+  Index row = no_index;  ///< the row of the input, if it was named by its row
+  std::string label;     ///< the row, or "@k" for entry k of a list that names a point otherwise
+};
+
+/// Reads "all", "0,5,9" or "@FILE". Each line of a file is a row `i`, a point `x y z` (its closest surface point is
+/// meant; for a cloud the point itself takes part in D = max(surface distance, |st|)), or `face b0 b1 b2` (face as
+/// counted in the input, barycentric coordinates >= 0 that sum to 1 up to 1e-9), each with an optional `+ start`; blank
+/// lines and
+/// `#` comments are passed over. Rows and faces count from 0. Throws OptionError for a bad list, InputError naming file
+/// and line for a bad file.
+std::vector<Query> select(const std::string& text, const Input& input, const Surface& surface);
+
+}  // namespace geodrome

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "engine/report/json.hpp"
+
+#include <cmath>
+
+namespace geodrome {
+
+namespace {
+
+using geodrome::to_json;  // the overloads below would hide them
+
+template <std::size_t N>
+std::vector<std::string> words_of(std::uint64_t bits, const char* const (&names)[N]) {
+  std::vector<std::string> words;
+  for (std::size_t i = 0; i < N; ++i)
+    if (bits >> i & 1) words.emplace_back(names[i]);
+  return words;
+}
+
+const char* word(Finding::Severity severity) {
+  switch (severity) {
+    case Finding::Severity::note:
+      return "note";
+    case Finding::Severity::warning:
+      return "warning";
+    default:
+      return "refusal";
+  }
+}
+
+const char* word(OptionType type) {
+  constexpr const char* names[] = {"boolean", "integer", "number", "choice"};
+  return names[static_cast<int>(type)];
+}
+
+Json to_json(const std::optional<long>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json to_json(const OptionInfo& option) {
+  Json json{{"name", option.name}, {"type", word(option.type)}, {"default", option.default_value}};
+  if (option.type == OptionType::integer || option.type == OptionType::number) {
+    json["minimum"] = to_json(option.minimum);
+    json["maximum"] = to_json(option.maximum);
+  } else {
+    json["choices"] = option.choices;
+  }
+  json["unit"] = option.unit;
+  json["help"] = option.help;
+  return json;
+}
+
+}  // namespace
+
+std::vector<std::string> needs_words(std::uint64_t needs) {
+  static constexpr const char* names[] = {"manifold", "oriented", "closed"};
+  return words_of(needs, names);
+}
+
+std::vector<std::string> provides_words(std::uint64_t provides) {
+  static constexpr const char* names[] = {"start_distances", "face_sources",    "radius_limit",     "target_limit",
+                                          "any_point",       "paths",           "path_is_distance", "pair_queries",
+                                          "weights",         "factor_any_point"};
+  return words_of(provides, names);
+}
+
+Json to_json(double value) {
+  if (std::isfinite(value)) return value;
+  return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+}
+
+Json to_json(const Finding& finding) {
+  return {{"severity", word(finding.severity)},
+          {"code", finding.code},
+          {"message", finding.message},
+          {"count", finding.count},
+          {"elements", finding.elements}};
+}
+
+Json to_json(const std::vector<Finding>& findings) {
+  Json json = Json::array();
+  for (const Finding& finding : findings) json.push_back(to_json(finding));
+  return json;
+}
+
+Json to_json(const Input& input) {
+  const InputFacts& f = input.facts;
+  Json json{{"file", input.file.string()},
+            {"format", input.format},
+            {"hash", input.hash},
+            {"kind", input.kind == InputKind::mesh ? "mesh" : "points"},
+            {"rows", f.rows},
+            {"used", input.positions.size()},
+            {"merged", f.merged},
+            {"dropped", f.dropped},
+            {"bounding_box_diagonal", f.bounding_box_diagonal}};
+  if (input.kind == InputKind::mesh)
+    json.update(Json{{"faces_in_file", f.faces_in_file},
+                     {"triangles", input.triangles.size()},
+                     {"polygons_split", f.polygons_split},
+                     {"degenerate_faces_dropped", f.degenerate_faces_dropped},
+                     {"zero_area_faces", f.zero_area_faces},
+                     {"duplicate_faces", f.duplicate_faces},
+                     {"duplicate_positions", f.duplicate_positions},
+                     {"isolated_vertices", f.isolated_vertices},
+                     {"nonmanifold_edges", f.nonmanifold_edges},
+                     {"nonmanifold_vertices", f.nonmanifold_vertices},
+                     {"manifold", f.manifold},
+                     {"oriented", f.oriented},
+                     {"orientable", f.orientable},
+                     {"components", f.components},
+                     {"boundary_edges", f.boundary_edges},
+                     {"boundary_loops", f.boundary_loops},
+                     {"euler_number", to_json(f.euler_number)},
+                     {"genus", to_json(f.genus)}});
+  json["findings"] = to_json(input.findings);
+  return json;
+}
+
+Json to_json(const PluginInfo& plugin) {
+  Json json{{"stage", plugin.stage},
+            {"name", plugin.name},
+            {"summary", plugin.summary},
+            {"licence", plugin.licence},
+            {"file", plugin.file.string()}};
+  if (plugin.stage == ShortestPathSolver::stage) {
+    json["factor"] = to_json(plugin.default_factor);
+    json["needs"] = needs_words(plugin.needs);
+    json["provides"] = provides_words(plugin.provides);
+  }
+  json["options"] = Json::array();
+  for (const OptionInfo& option : plugin.options) json["options"].push_back(to_json(option));
+  return json;
+}
+
+Json to_json(const PluginListing& listing) {
+  Json json{{"usable", Json::array()}, {"refused", Json::array()}};
+  for (const PluginInfo& plugin : listing.usable) json["usable"].push_back(to_json(plugin));
+  for (const PluginRefusal& refusal : listing.refused)
+    json["refused"].push_back({{"file", refusal.file.string()}, {"reason", refusal.reason}});
+  return json;
+}
+
+Json to_json(const StageRecord& record) {
+  Json json{{"plugin", record.plugin.full_name()}, {"licence", record.plugin.licence},
+            {"file", record.plugin.file.string()}, {"options", Json::object()},
+            {"seconds", record.seconds},           {"measures", Json::object()}};
+  for (const auto& [name, value] : record.options.all()) json["options"][name] = value;
+  for (const auto& [name, value] : record.measures) json["measures"][name] = to_json(value);
+  return json;
+}
+
+}  // namespace geodrome

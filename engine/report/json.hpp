@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "geodrome/engine/input.hpp"
+#include "geodrome/engine/pipeline.hpp"
+#include "geodrome/engine/plugin_host.hpp"
+
+/// How the engine's values look in reports. Numbers that are not finite become the strings "inf" and "nan", since JSON
+/// has none. Members keep the order in which they are written here.
+namespace geodrome {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(double value);
+Json to_json(const Finding& finding);
+Json to_json(const std::vector<Finding>& findings);
+Json to_json(const Input& input);
+Json to_json(const PluginInfo& plugin);
+Json to_json(const PluginListing& listing);
+Json to_json(const StageRecord& record);
+
+/// The words for the bits of `needs` and of a solver's `provides`, in the order of the bits.
+std::vector<std::string> needs_words(std::uint64_t needs);
+std::vector<std::string> provides_words(std::uint64_t provides);
+
+}  // namespace geodrome

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: MIT
+#include "engine/report/run_report.hpp"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "engine/report/guarantee.hpp"
+#include "engine/report/json.hpp"
+#include "engine/report/surface_facts.hpp"
+#include "geodrome/engine/version.hpp"
+
+namespace geodrome {
+
+namespace {
+
+using geodrome::to_json;  // the overloads below would hide them
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+Json to_json(const SurfaceFacts& facts) {
+  Json json{{"vertices", facts.vertices},     {"faces", facts.faces},
+            {"components", facts.components}, {"boundary_loops", facts.boundary_loops},
+            {"manifold", facts.manifold},     {"oriented", facts.oriented},
+            {"closed", facts.closed},         {"euler_number", facts.euler_number}};
+  json["genus"] = facts.genus ? Json(*facts.genus) : Json(nullptr);
+  json["smallest_angle"] = to_json(facts.smallest_angle);
+  json["largest_edge_ratio"] = to_json(facts.largest_edge_ratio);
+  json["largest_degree"] = facts.largest_degree;
+  return json;
+}
+
+Json to_json(const SampleFacts& facts) {
+  return {{"points", facts.points},
+          {"kept", facts.kept},
+          {"unbounded", facts.unbounded},
+          {"capped", facts.capped},
+          {"dropped", facts.dropped},
+          {"sigma", to_json(facts.sigma)},
+          {"psi_smallest", to_json(facts.psi_smallest)},
+          {"psi_largest", to_json(facts.psi_largest)}};
+}
+
+Json to_json(const GuaranteeVerdict& verdict) {
+  Json claims = Json::array();
+  for (const Claim& claim : verdict.claims)
+    claims.push_back({{"claim", claim.name},
+                      {"source", claim.source},
+                      {"measured", to_json(claim.measured)},
+                      {"bound", claim.bound},
+                      {"holds", claim.holds}});
+  const char* note =
+      "epsilon <= 1/22 concerns the unknown surface: a sample can refute the guarantee, never confirm it";
+  return {{"verdict", verdict.void_because.empty() ? "not refuted" : "void"},
+          {"because", verdict.void_because},
+          {"claims", claims},
+          {"note", note}};
+}
+
+Json to_json(const InvariantCheck& check) {
+  Json json{
+      {"holds", check.holds()}, {"promised", check.expected}, {"tested", check.tested}, {"violated", check.violated}};
+  if (check.tested > 0)
+    json.update(Json{
+        {"worst", to_json(check.worst)}, {"tolerance", check.tolerance}, {"row", check.row}, {"column", check.column}});
+  return json;
+}
+
+Json to_json(const MatrixResult& matrix) {
+  Json json{{"rows", matrix.rows},       {"columns", matrix.columns},
+            {"bytes", matrix.bytes},     {"resumed_rows", matrix.resumed_rows},
+            {"seconds", matrix.seconds}, {"first_row_seconds", matrix.first_row_seconds}};
+  json["reach"] = {{"reached", matrix.reach.reached},         {"beyond_limit", matrix.reach.beyond_limit},
+                   {"unreachable", matrix.reach.unreachable}, {"not_computed", matrix.reach.not_computed},
+                   {"missed", matrix.reach.missed},           {"impossible", matrix.reach.impossible}};
+  json["counters"] = Json::object();
+  for (const auto& [name, value] : matrix.counters) json["counters"][name] = value;
+  const Invariants& i = matrix.invariants;
+  json["invariants"] = {{"sampled_rows", i.rows},
+                        {"scale", to_json(i.scale)},
+                        {"computed", to_json(i.computed)},
+                        {"distance_to_itself", to_json(i.identity)},
+                        {"not_below_euclid", to_json(i.euclid)},
+                        {"symmetry", to_json(i.symmetry)},
+                        {"triangle_inequality", to_json(i.triangle)}};
+  return json;
+}
+
+Json to_json(const NearestResult& nearest) {
+  return {{"reached", nearest.reached},
+          {"beyond_limit", nearest.beyond_limit},
+          {"unreachable", nearest.unreachable},
+          {"dropped", nearest.dropped},
+          {"seconds", nearest.seconds}};
+}
+
+Json to_json(const AuditSummary& audit) {
+  if (!audit.not_audited.empty()) return {{"audited", false}, {"because", audit.not_audited}};
+  const AuditResult& worst = audit.worst;
+  return {{"audited", true},
+          {"sources", audit.sources},
+          {"faces", worst.faces},
+          {"pairs", worst.pairs},
+          {"paths", worst.paths},
+          {"scale", to_json(worst.scale)},
+          {"worst_lipschitz", to_json(worst.worst_lipschitz)},
+          {"worst_path", to_json(worst.worst_path)},
+          {"where", worst.where},
+          {"seconds", audit.seconds}};
+}
+
+Json run_json(const RunRecord& record) {
+  const RunSettings& settings = record.job.settings;
+  Json json{{"version", version()},
+            {"interface_version", interface_version},
+            {"build", build_tag},
+            {"seed", settings.seed},
+            {"threads", thread_count(settings)},
+            {"query", "project"},
+            {"max_distance", to_json(record.job.max_distance)},
+            {"sources", record.source_count},
+            {"targets", record.target_count}};
+  if (record.matrix)
+    json["output"] = record.job.matrix.string(),
+    json["dtype"] = record.job.scalar == ScalarType::float64 ? "float64" : "float32";
+  return json;
+}
+
+void summarize(const RunRecord& record, const SurfaceFacts& surface, const GuaranteeVerdict* verdict,
+               std::ostream& out) {
+  out.precision(4);
+  const Input& input = record.opened.input;
+  out << "input      " << input.file.string() << ": " << input.facts.rows
+      << (input.kind == InputKind::mesh ? " vertices" : " points") << "\n";
+  out << "surface    " << surface.vertices << " vertices, " << surface.faces << " faces, "
+      << (surface.closed ? "closed" : "bordered") << ", " << surface.components
+      << (surface.components == 1 ? " component" : " components");
+  if (surface.genus) out << ", genus " << *surface.genus;
+  out << "\nsolver     " << record.solver.plugin.info.full_name() << ", ";
+  if (record.solver.plugin.factor == 1)
+    out << "exact\n";
+  else if (std::isinf(record.solver.plugin.factor))
+    out << "no stated guarantee\n";
+  else
+    out << "at most " << record.solver.plugin.factor << " times the distance\n";
+  if (record.matrix) {
+    const MatrixResult& m = *record.matrix;
+    out << "matrix     " << record.job.matrix.string() << ": " << m.rows << " x " << m.columns << " in " << m.seconds
+        << " s; " << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
+        << m.reach.not_computed << " not computed\n";
+    const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
+    out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED: see the report")
+        << " (D >= Euclid, D(s,s), symmetry, triangle inequality, reach)\n";
+  }
+  if (record.nearest)
+    out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached in "
+        << record.nearest->seconds << " s\n";
+  const AuditSummary& audit = record.audit;
+  if (audit.not_audited.empty())
+    out << "audit      " << audit.worst.faces << " faces, " << audit.worst.paths << " paths: worst violation "
+        << std::max(audit.worst.worst_lipschitz, audit.worst.worst_path) << " of the largest distance\n";
+  else
+    out << "audit      not audited: " << audit.not_audited << "\n";
+  if (verdict)
+    out << "guarantee  "
+        << (verdict->void_because.empty() ? "not refuted by the sample"
+                                          : "of the paper is void: " + verdict->void_because.front())
+        << "\n";
+}
+
+}  // namespace
+
+JobReport write_report(const RunRecord& record) {
+  const Opened& opened = record.opened;
+  const SurfaceFacts facts = facts_of(*opened.surface.mesh);
+  Json json{{"geodrome", run_json(record)}, {"input", to_json(opened.input)}, {"surface", to_json(facts)}};
+  json["surface"]["findings"] = to_json(opened.surface.findings);
+  json["stages"] = Json::array();
+  for (const StageRecord& stage : opened.surface.stages) json["stages"].push_back(to_json(stage));
+  json["stages"].push_back(to_json(record.solver.record));
+  std::optional<GuaranteeVerdict> verdict;
+  if (opened.surface.sample) {
+    json["sample"] = to_json(facts_of(*opened.surface.sample));
+    verdict = judge(opened.input, opened.surface, facts, record.solver.plugin.factor, record.job.settings.seed);
+    json["guarantee_of_the_paper"] = to_json(*verdict);
+  }
+  json["solver_factor"] = to_json(record.solver.plugin.factor);
+  if (record.matrix) json["matrix"] = to_json(*record.matrix);
+  if (record.nearest) json["nearest"] = to_json(*record.nearest);
+  json["audit"] = to_json(record.audit);
+  json["timings"] = {{"read", opened.read_seconds},
+                     {"surface", opened.surface_seconds},
+                     {"prepare", record.solver.record.seconds},
+                     {"total", record.total_seconds}};
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  std::ostringstream summary;
+  summarize(record, facts, verdict ? &*verdict : nullptr, summary);
+  return {json.dump(2), summary.str()};
+}
+
+}  // namespace geodrome

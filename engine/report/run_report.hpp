@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "engine/run/matrix_stage.hpp"
+#include "engine/run/nearest.hpp"
+#include "engine/run/open_input.hpp"
+#include "engine/run/surface_audit.hpp"
+#include "geodrome/engine/jobs.hpp"
+
+namespace geodrome {
+
+/// All that a distance job learned, from which its report is written.
+struct RunRecord {
+  const DistanceJob& job;
+  const Opened& opened;
+  const PreparedSolver& solver;
+  std::size_t source_count = 0, target_count = 0;
+  std::optional<MatrixResult> matrix;
+  std::optional<NearestResult> nearest;
+  AuditSummary audit;
+  double total_seconds = 0;
+};
+
+/// The report as JSON and as a few lines for people.
+JobReport write_report(const RunRecord& record);
+
+}  // namespace geodrome

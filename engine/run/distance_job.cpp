@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "engine/input/source_file.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/report/json.hpp"
+#include "engine/report/run_report.hpp"
+#include "engine/run/stage_context.hpp"
+#include "geodrome/engine/version.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// What tells two lists of points apart: their places and start distances.
+std::string digest(std::span<const Query> queries) {
+  std::string bytes;
+  const auto append = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const Query& query : queries) {
+    append(query.place.state);
+    append(query.place.at.face);
+    for (const double b : query.place.at.b) append(b);
+    append(query.place.position.x), append(query.place.position.y), append(query.place.position.z);
+    append(query.place.vertex), append(query.start), append(query.row);
+  }
+  return std::to_string(queries.size()) + " points, " + input::content_hash(bytes);
+}
+
+Json chosen(const StageRecord& record) {
+  Json json{{"plugin", record.plugin.full_name()}};
+  for (const auto& [name, value] : record.options.all()) json[name] = value;
+  return json;
+}
+
+/// Two runs that share this text make the same matrix, byte for byte.
+std::string fingerprint(const DistanceJob& job, const Opened& opened, const PreparedSolver& solver,
+                        std::span<const Query> sources, std::span<const Query> targets) {
+  Json json{{"geodrome", version()}, {"input", opened.input.hash}};
+  const ReadOptions& read = job.settings.read;
+  json["as"] = opened.input.kind == InputKind::mesh ? "mesh" : "points";
+  json["weld"] = read.weld, json["drop_nonfinite"] = read.drop_nonfinite;
+  for (const StageRecord& stage : opened.surface.stages) json[stage.plugin.stage] = chosen(stage);
+  json["solver"] = chosen(solver.record);
+  json["query"] = "project", json["max_distance"] = to_json(job.max_distance);
+  json["sources"] = digest(sources), json["targets"] = digest(targets);
+  json["dtype"] = job.scalar == ScalarType::float64 ? "float64" : "float32";
+  json["seed"] = job.settings.seed;
+  return json.dump();
+}
+
+/// Mistakes that would otherwise show after hours.
+void check_job(const DistanceJob& job) {
+  if (job.matrix.empty() && job.nearest.empty())
+    throw OptionError("nothing to write", "name an output: -o FILE or --nearest FILE");
+  if (job.resume && job.matrix.empty()) throw OptionError("--resume goes on with a matrix", "name it with -o FILE");
+  const auto demand_ending = [](const std::filesystem::path& file, std::initializer_list<const char*> endings) {
+    std::string valid;
+    for (const char* ending : endings) {
+      if (file.empty() || file.extension() == ending) return;
+      valid += (valid.empty() ? "" : ", ") + std::string(ending);
+    }
+    throw OptionError(file.string() + ": the name must end in " + valid);
+  };
+  demand_ending(job.matrix, {".npy", ".csv"});
+  demand_ending(job.nearest, {".csv"});
+  demand_ending(job.report, {".json"});
+  demand_ending(job.surface, {".ply", ".off", ".obj", ".stl"});
+  for (const std::filesystem::path& file : {job.matrix, job.nearest, job.report, job.surface}) {
+    const std::filesystem::path folder = file.parent_path();
+    if (!file.empty() && !folder.empty() && !std::filesystem::is_directory(folder))
+      throw InputError(InputFault::io, file.string() + ": there is no folder " + folder.string(), "make it first");
+  }
+}
+
+}  // namespace
+
+JobReport run_distances(const DistanceJob& job, Observer& observer) {
+  const Stopwatch total;
+  check_job(job);
+  const PluginHost host(job.settings.plugin_path);
+  const Opened opened = open_input(job.input, host, job.settings, observer);
+  const std::vector<Query> sources = select(job.sources, opened.input, opened.surface);
+  const TargetList targets(select(job.targets, opened.input, opened.surface), opened.surface);
+  const PreparedSolver solver =
+      prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
+  check_provides(solver, sources, targets.queries(), job.max_distance);
+
+  RunRecord record{job, opened, solver, sources.size(), targets.queries().size()};
+  if (!job.nearest.empty()) {
+    StageContext context("nearest", observer, 1, job.settings.seed);
+    record.nearest = find_nearest(solver, sources, targets, job.max_distance, context);
+  }
+  if (!job.matrix.empty())
+    record.matrix = compute_matrix(job, solver, opened.surface, sources, targets,
+                                   fingerprint(job, opened, solver, sources, targets.queries()), observer);
+  StageContext context("audit", observer, 1, job.settings.seed);
+  record.audit = audit_sources(solver, opened.surface, sources, job.audit_share, job.settings.seed, context);
+  record.total_seconds = total.seconds();
+
+  if (record.nearest) write_atomically(job.nearest, record.nearest->csv);
+  if (!job.surface.empty()) write_mesh(job.surface, *opened.surface.mesh);
+  JobReport report = write_report(record);
+  if (!job.report.empty()) write_atomically(job.report, report.json + "\n");
+  return report;
+}
+
+}  // namespace geodrome

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "engine/run/distance_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace geodrome {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+
+bool needs_face_source(const Query& query) {
+  return query.place.state == Place::State::on_surface && query.place.vertex == no_index;
+}
+
+/// The distance from a source that no search can start from, or whose start distance is beyond the limit already.
+double without_search(const Query& source, const Place& target, double radius) {
+  if (source.place.state == Place::State::dropped || target.state == Place::State::dropped) return not_computed;
+  const bool same = target.state == Place::State::isolated && target.vertex == source.place.vertex;
+  return same && radius >= 0 ? source.start : infinity;
+}
+
+}  // namespace
+
+const ShortestPathMap& run_search(const PreparedSolver& solver, Search& search, std::span<const Source> sources,
+                                  const Request& request, RunContext& context) {
+  return cross_boundary(solver.plugin.info,
+                        [&]() -> const ShortestPathMap& { return search.run(sources, request, context); });
+}
+
+std::unique_ptr<Search> make_search(const PreparedSolver& solver) {
+  return cross_boundary(solver.plugin.info, [&] { return solver.prepared->make_search(); });
+}
+
+void check_provides(const PreparedSolver& solver, std::span<const Query> sources, std::span<const Query> targets,
+                    double max_distance) {
+  const auto demand = [&](bool wanted, Provides bit, const char* what) {
+    if (wanted && !solver.provides(bit))
+      throw CapabilityError(solver.plugin.info.full_name() + " does not provide " + what,
+                            "choose a solver that does (see 'geodrome plugins list')");
+  };
+  demand(std::any_of(sources.begin(), sources.end(), needs_face_source), face_sources,
+         "sources that are no vertices (face_sources)");
+  demand(std::any_of(targets.begin(), targets.end(), needs_face_source), any_point,
+         "distances of points inside faces (any_point)");
+  demand(std::isfinite(max_distance), radius_limit, "a largest distance (radius_limit)");
+}
+
+TargetList::TargetList(std::vector<Query> queries, const Surface& surface)
+    : queries_(std::move(queries)), estimated_(surface.made_from == InputKind::points) {
+  for (const Query& query : queries_)
+    if (needs_face_source(query)) points_.push_back(query.place.at);
+}
+
+double TargetList::read(const ShortestPathMap& map, std::size_t j) const {
+  const Place& place = queries_[j].place;
+  if (place.state == Place::State::dropped) return not_computed;
+  if (place.state == Place::State::isolated) return infinity;
+  const double value = place.vertex != no_index ? map.vertices()[place.vertex] : map.at(place.at).value;
+  if (!(value >= 0))
+    throw NumericalError("computed " + std::to_string(value) + " as the distance of target " + queries_[j].label,
+                         "choose another solver, and report this to the author of the plugin");
+  return value;
+}
+
+double TargetList::lower_bound(const Query& source, std::size_t j) const {
+  return estimated_ ? distance(source.place.position, queries_[j].place.position) : 0;
+}
+
+std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const Query& source,
+                                      const TargetList& targets, double max_distance, RunContext& context,
+                                      std::span<double> row) {
+  // With a single source its start distance only shifts the row, so no solver needs to know of it.
+  const double radius = max_distance - source.start;
+  if (source.place.state != Place::State::on_surface || radius < 0) {
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] = without_search(source, targets.queries()[j].place, radius);
+    return {};
+  }
+  const Source from{source.place.at, 0};
+  const ShortestPathMap& map =
+      run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
+  return cross_boundary(solver.plugin.info, [&] {
+    for (std::size_t j = 0; j < row.size(); ++j) {
+      double d = targets.read(map, j);
+      if (!std::isnan(d)) d = std::max(d, targets.lower_bound(source, j));
+      row[j] = d > radius ? infinity : d + source.start;
+    }
+    return map.counters();
+  });
+}
+
+}  // namespace geodrome

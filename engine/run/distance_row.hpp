@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geodrome/engine/selection.hpp"
+
+namespace geodrome {
+
+/// Runs a solver's search across the border to the plugin.
+const ShortestPathMap& run_search(const PreparedSolver& solver, Search& search, std::span<const Source> sources,
+                                  const Request& request, RunContext& context);
+
+/// A new search of the prepared surface.
+std::unique_ptr<Search> make_search(const PreparedSolver& solver);
+
+/// Throws CapabilityError, naming plugin and capability, if the job wants what the solver does not provide.
+void check_provides(const PreparedSolver& solver, std::span<const Query> sources, std::span<const Query> targets,
+                    double max_distance);
+
+/// The targets of a job in the form that every row needs; shared by all threads.
+class TargetList {
+ public:
+  TargetList(std::vector<Query> queries, const Surface& surface);
+
+  std::span<const Query> queries() const noexcept { return queries_; }
+  /// The targets that are no vertices, for Request::targets.
+  std::span<const SurfacePoint> points() const noexcept { return points_; }
+
+  /// The surface distance of target `j` from a map, +inf at isolated vertices, NaN if dropped. Throws NumericalError if
+  /// it is no number >= 0, whoever wrote the plugin. To be called inside `cross_boundary`.
+  double read(const ShortestPathMap& map, std::size_t j) const;
+
+  /// What the distance from `source` to target `j` cannot be below: |st| for a cloud, whose surface is an estimate; 0
+  /// for a mesh, whose distances stay as they are.
+  double lower_bound(const Query& source, std::size_t j) const;
+
+ private:
+  std::vector<Query> queries_;
+  std::vector<SurfacePoint> points_;
+  bool estimated_;
+};
+
+/// Fills one row: the distances of all targets from one source, its start distance added; farther than `max_distance`
+/// is +inf, a dropped source's row NaN, an isolated one reaches only itself. Returns the search's counters, valid until
+/// its next run; empty if none was needed.
+std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const Query& source,
+                                      const TargetList& targets, double max_distance, RunContext& context,
+                                      std::span<double> row);
+
+}  // namespace geodrome

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "engine/run/matrix_stage.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <mutex>
+
+#include "engine/run/parallel_rows.hpp"
+#include "engine/run/stage_context.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// Above this size a matrix is computed only with consent.
+constexpr std::uint64_t consent_bytes = 4'000'000'000;
+
+std::string printed(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+std::string size_text(std::uint64_t bytes) {
+  const auto value = static_cast<double>(bytes);
+  if (value >= 1e9) return printed("%.2f GB", value / 1e9);
+  return value >= 1e6 ? printed("%.1f MB", value / 1e6) : printed("%.1f kB", value / 1e3);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 1) return "under a second";
+  if (seconds < 120) return printed("%.0f s", seconds);
+  return seconds < 7200 ? printed("%.0f min", seconds / 60) : printed("%.1f h", seconds / 3600);
+}
+
+/// Adds a search's counters up; those that are named "largest_..." are combined by maximum.
+class CounterSum {
+ public:
+  void add(const PreparedSolver& solver, std::span<const Counter> counters) {
+    const std::lock_guard lock(mutex_);
+    cross_boundary(solver.plugin.info, [&] {
+      for (const Counter& counter : counters) {
+        std::uint64_t& sum = sums_[counter.name];
+        sum =
+            std::string_view(counter.name).starts_with("largest_") ? std::max(sum, counter.value) : sum + counter.value;
+      }
+    });
+  }
+  std::map<std::string, std::uint64_t> sums() const { return sums_; }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::string, std::uint64_t> sums_;
+};
+
+/// The computation of single rows, the same for the first and for all others.
+class RowMaker {
+ public:
+  RowMaker(const DistanceJob& job, const PreparedSolver& solver, std::span<const Query> sources,
+           const TargetList& targets, Observer& observer)
+      : job_(job),
+        solver_(solver),
+        sources_(sources),
+        targets_(targets),
+        quiet_(observer),
+        context_(ShortestPathSolver::stage, quiet_, 1, job.settings.seed) {}
+
+  void make(Search& search, std::uint64_t i, std::span<double> row) {
+    const auto counters = distance_row(solver_, search, sources_[i], targets_, job_.max_distance, context_, row);
+    if (!counters.empty()) counters_.add(solver_, counters);
+  }
+
+  std::map<std::string, std::uint64_t> counters() const { return counters_.sums(); }
+
+ private:
+  /// Progress is told per row, not within one.
+  class WithoutProgress final : public Observer {
+   public:
+    explicit WithoutProgress(Observer& observer) : observer_(observer) {}
+    void log(LogLevel level, std::string_view message) override { observer_.log(level, message); }
+    bool cancelled() const noexcept override { return observer_.cancelled(); }
+
+   private:
+    Observer& observer_;
+  };
+
+  const DistanceJob& job_;
+  const PreparedSolver& solver_;
+  std::span<const Query> sources_;
+  const TargetList& targets_;
+  WithoutProgress quiet_;
+  StageContext context_;
+  CounterSum counters_;
+};
+
+void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t missing, double row_seconds,
+               unsigned threads, Observer& observer) {
+  const double seconds = row_seconds * static_cast<double>(missing) / threads;
+  observer.log(LogLevel::info, "matrix: " + std::to_string(spec.rows) + " x " + std::to_string(spec.columns) + " " +
+                                   (spec.scalar == ScalarType::float64 ? "float64" : "float32") + ", " +
+                                   size_text(bytes) + "; " + std::to_string(missing) + " rows to compute, about " +
+                                   time_text(seconds) + " on " + std::to_string(threads) +
+                                   (threads == 1 ? " thread" : " threads"));
+}
+
+/// Rows still missing, each once, over all threads.
+void compute_rows(const std::vector<std::uint64_t>& missing, MatrixFile& file, RowMaker& maker,
+                  const PreparedSolver& solver, std::size_t columns, unsigned threads, std::uint64_t seed,
+                  Observer& observer) {
+  StageContext context("distances", observer, threads, seed);
+  std::atomic<std::uint64_t> done = 0;
+  const auto make_worker = [&]() -> RowWorker {
+    std::shared_ptr<Search> search = make_search(solver);
+    return [&, search, row = std::vector<double>(columns)](std::uint64_t k) mutable {
+      maker.make(*search, missing[k], row);
+      file.write(missing[k], row);
+      context.progress(static_cast<double>(++done) / static_cast<double>(missing.size()));
+    };
+  };
+  run_rows(missing.size(), threads, make_worker, context);
+}
+
+std::vector<std::uint64_t> missing_rows(const MatrixFile& file, std::uint64_t rows) {
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t i = 0; i < rows; ++i)
+    if (!file.has(i)) missing.push_back(i);
+  return missing;
+}
+
+/// A query's row of the input; one that is no row gets an identity of its own beyond all rows.
+std::vector<std::uint64_t> identities(std::span<const Query> queries, std::uint64_t first_free) {
+  std::vector<std::uint64_t> ids;
+  for (const Query& query : queries) ids.push_back(query.row != no_index ? query.row : first_free++);
+  return ids;
+}
+
+std::vector<Vec3> points_of(std::span<const Query> queries) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Vec3> points;
+  for (const Query& query : queries)
+    points.push_back(query.place.state == Place::State::dropped ? Vec3{nan, nan, nan} : query.place.position);
+  return points;
+}
+
+Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const MatrixFile& file,
+                            std::span<const Query> sources, std::span<const Query> targets) {
+  const std::uint64_t rows_of_input = no_index;
+  const auto row_ids = identities(sources, rows_of_input),
+             column_ids = identities(targets, rows_of_input + sources.size());
+  const auto row_points = points_of(sources), column_points = points_of(targets);
+  std::vector<double> starts;
+  for (const Query& source : sources) starts.push_back(source.start);
+  const MatrixView view{row_ids,       column_ids, row_points,
+                        column_points, starts,     [&](std::uint64_t row) { return file.read(row); }};
+  return check_invariants(view, {.factor = solver.plugin.factor,
+                                 .float32 = job.scalar == ScalarType::float32,
+                                 .radius = job.max_distance,
+                                 .seed = job.settings.seed});
+}
+
+/// Reads the whole matrix once more, as it stands on disk, resumed rows included.
+ReachCounts count_reaches(const DistanceJob& job, const Surface& surface, const MatrixFile& file,
+                          std::span<const Query> sources, std::span<const Query> targets) {
+  Components components(*surface.mesh);
+  const std::vector<Index> of_target = components.of(targets);
+  ReachCounts counts;
+  for (std::uint64_t i = 0; i < sources.size(); ++i)
+    count_reach(file.read(i), components.of(sources[i].place), of_target, std::isfinite(job.max_distance), counts);
+  return counts;
+}
+
+}  // namespace
+
+MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const Surface& surface,
+                            std::span<const Query> sources, const TargetList& targets, const std::string& fingerprint,
+                            Observer& observer) {
+  const MatrixFile::Spec spec{job.matrix, sources.size(), targets.queries().size(), job.scalar, fingerprint};
+  const unsigned threads = thread_count(job.settings);
+  MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = MatrixFile::bytes(spec)};
+  RowMaker maker(job, solver, sources, targets, observer);
+
+  const Stopwatch first;
+  std::vector<double> row(spec.columns);
+  maker.make(*make_search(solver), 0, row);
+  result.first_row_seconds = first.seconds();
+  if (result.bytes > consent_bytes && !job.yes) {
+    tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
+    throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes),
+                       "say --yes, ask for fewer sources or targets, or store float32");
+  }
+  MatrixFile file = MatrixFile::open(spec, job.resume);
+  result.resumed_rows = file.rows_done();
+  if (!file.has(0)) file.write(0, row);
+  const std::vector<std::uint64_t> missing = missing_rows(file, spec.rows);
+  tell_plan(spec, result.bytes, missing.size(), result.first_row_seconds, threads, observer);
+
+  const Stopwatch watch;
+  compute_rows(missing, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
+  result.seconds = watch.seconds() + result.first_row_seconds;
+  result.counters = maker.counters();
+  result.reach = count_reaches(job, surface, file, sources, targets.queries());
+  result.invariants = check_invariants(job, solver, file, sources, targets.queries());
+  file.finish();
+  return result;
+}
+
+}  // namespace geodrome

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "engine/run/open_input.hpp"
+
+#include "engine/run/stage_context.hpp"
+
+namespace geodrome {
+
+namespace {
+
+void tell(const std::vector<Finding>& findings, Observer& observer) {
+  for (const Finding& finding : findings)
+    observer.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning, finding.message);
+}
+
+/// A mesh needs none of stages 1 to 4: whoever chose plugins for them should know that they do not run.
+void tell_unused(const StageChoice& chosen, Observer& observer) {
+  const StageChoice standard;
+  const bool same = chosen.tangent == standard.tangent && chosen.control == standard.control &&
+                    chosen.decimator == standard.decimator && chosen.reconstructor == standard.reconstructor;
+  if (!same)
+    observer.log(
+        LogLevel::warning,
+        "the input is a mesh: the stages chosen for point samples do not run (--as points takes its vertices)");
+}
+
+}  // namespace
+
+Opened open_input(const std::filesystem::path& file, const PluginHost& host, const RunSettings& settings,
+                  Observer& observer) {
+  Opened opened;
+  const Stopwatch reading;
+  opened.input = read_input(file, settings.read);
+  opened.read_seconds = reading.seconds();
+  tell(opened.input.findings, observer);
+  if (opened.input.kind == InputKind::mesh) tell_unused(settings.stages, observer);
+  const Stopwatch making;
+  opened.surface = make_surface(opened.input, host, settings, observer);
+  opened.surface_seconds = making.seconds();
+  tell(opened.surface.findings, observer);
+  return opened;
+}
+
+}  // namespace geodrome

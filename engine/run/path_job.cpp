@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/number_text.hpp"
+#include "engine/report/json.hpp"
+#include "engine/run/distance_row.hpp"
+#include "engine/run/open_input.hpp"
+#include "engine/run/stage_context.hpp"
+#include "geodrome/engine/jobs.hpp"
+
+namespace geodrome {
+
+namespace {
+
+Query select_one(const std::string& text, const char* what, const Opened& opened) {
+  const std::vector<Query> queries = select(text, opened.input, opened.surface);
+  if (queries.size() != 1)
+    throw OptionError(std::string(what) + " names " + std::to_string(queries.size()) + " points", "name one");
+  if (queries[0].start != 0) throw OptionError(std::string(what) + ": the end of a path has no start distance");
+  if (queries[0].place.state == Place::State::dropped)
+    throw OptionError(std::string(what) + ": row " + queries[0].label + " was dropped");
+  return queries[0];
+}
+
+std::string as_obj(const PathResult& path) {
+  std::string text, line = "l";
+  for (std::size_t i = 0; i < path.positions.size(); ++i) {
+    const Vec3& p = path.positions[i];
+    text += "v " + number_text(p.x) + " " + number_text(p.y) + " " + number_text(p.z) + "\n";
+    line += " " + std::to_string(i + 1);
+  }
+  return path.positions.empty() ? "# unreachable\n" : text + line + "\n";
+}
+
+std::string as_csv(const PathResult& path) {
+  std::string text = "x,y,z,face,b0,b1,b2\n";
+  for (std::size_t i = 0; i < path.positions.size(); ++i) {
+    const Vec3& p = path.positions[i];
+    const SurfacePoint& at = path.points[i];
+    text += number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z) + "," + std::to_string(at.face);
+    for (const double b : at.b) text += "," + number_text(b);
+    text += "\n";
+  }
+  return text;
+}
+
+std::string as_json(const PathResult& path) {
+  Json json{{"distance", to_json(path.distance)}, {"length", to_json(path.length)}, {"points", Json::array()}};
+  for (std::size_t i = 0; i < path.positions.size(); ++i) {
+    const Vec3& p = path.positions[i];
+    json["points"].push_back(
+        {{"position", {p.x, p.y, p.z}}, {"face", path.points[i].face}, {"barycentric", path.points[i].b}});
+  }
+  return json.dump(1) + "\n";
+}
+
+using Format = std::string (*)(const PathResult&);
+
+/// Known before anything is computed, so that a wrong ending costs no waiting.
+Format format_of(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (ending == ".obj") return as_obj;
+  if (ending == ".csv") return as_csv;
+  if (ending == ".json") return as_json;
+  throw OptionError(file.string() + ": a path is written as .obj, .csv or .json");
+}
+
+/// The vertices of a path from `to` to `from`, turned round.
+void trace(const PreparedSolver& solver, const ShortestPathMap& map, const Query& to, const SurfaceMesh& mesh,
+           PathResult& result) {
+  cross_boundary(solver.plugin.info, [&] { map.path(to.place.at, result.points); });
+  std::reverse(result.points.begin(), result.points.end());
+  for (const SurfacePoint& point : result.points) result.positions.push_back(mesh.position(point));
+  for (std::size_t i = 1; i < result.positions.size(); ++i)
+    result.length += distance(result.positions[i - 1], result.positions[i]);
+}
+
+PathResult find_path(const PreparedSolver& solver, const Surface& surface, const Query& from, const Query& to,
+                     RunContext& context) {
+  PathResult result;
+  result.distance = std::numeric_limits<double>::infinity();
+  const bool isolated = from.place.state == Place::State::isolated || to.place.state == Place::State::isolated;
+  if (isolated) return result;
+  const TargetList targets({to}, surface);
+  const auto search = make_search(solver);
+  const Source source{from.place.at, 0};
+  const ShortestPathMap& map =
+      run_search(solver, *search, {&source, 1}, {.targets = targets.points(), .keep = Keep::map}, context);
+  const double on_surface = cross_boundary(solver.plugin.info, [&] { return targets.read(map, 0); });
+  result.distance = std::max(on_surface, targets.lower_bound(from, 0));
+  if (std::isfinite(on_surface)) trace(solver, map, to, *surface.mesh, result);
+  return result;
+}
+
+}  // namespace
+
+PathResult run_path(const PathJob& job, Observer& observer) {
+  const Format format = job.out.empty() ? nullptr : format_of(job.out);
+  const PluginHost host(job.settings.plugin_path);
+  const Opened opened = open_input(job.input, host, job.settings, observer);
+  const Query from = select_one(job.from, "--from", opened), to = select_one(job.to, "--to", opened);
+  const PreparedSolver solver =
+      prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
+  check_provides(solver, {&from, 1}, {&to, 1}, std::numeric_limits<double>::infinity());
+  if (!solver.provides(paths))
+    throw CapabilityError(solver.plugin.info.full_name() + " does not provide paths", "choose a solver that does");
+  StageContext context(ShortestPathSolver::stage, observer, 1, job.settings.seed);
+  const PathResult result = find_path(solver, opened.surface, from, to, context);
+  if (format) write_atomically(job.out, format(result));
+  return result;
+}
+
+}  // namespace geodrome

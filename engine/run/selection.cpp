@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "geodrome/engine/selection.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <sstream>
+#include <unordered_map>
+
+namespace geodrome {
+
+namespace {
+
+/// Barycentric coordinates may be off by as much as six printed digits leave; they are normalised to sum 1.
+constexpr double barycentric_tolerance = 1e-9;
+
+double to_number(const std::string& word) {
+  double value = std::numeric_limits<double>::quiet_NaN();
+  const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+    throw OptionError("'" + word + "' is not a number");
+  return value;
+}
+
+std::size_t to_index(const std::string& word, std::size_t count, const char* what) {
+  std::size_t value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size())
+    throw OptionError("'" + word + "' is not the index of a " + what);
+  if (value >= count)
+    throw OptionError(std::string(what) + " " + word + " does not exist",
+                      "there are " + std::to_string(count) + ", counted from 0");
+  return value;
+}
+
+/// Turns words into places; what it needs to know of input and surface is looked up once.
+class Reader {
+ public:
+  Reader(const Input& input, const Surface& surface) : input_(input), surface_(surface), locator_(surface.locator) {}
+
+  Query row(const std::string& word) const { return row(to_index(word, surface_.places.size(), "row")); }
+  Query row(std::size_t i) const { return {surface_.places[i], 0, static_cast<Index>(i), std::to_string(i)}; }
+
+  /// A line of a selection file, without comment; `entry` counts the entries.
+  Query line(const std::string& text, std::size_t entry) {
+    const std::size_t plus = text.find(" +");
+    std::istringstream stream(text.substr(0, plus));
+    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    Query query;
+    if (words.size() == 1)
+      query = row(words[0]);
+    else if (words.size() == 3)
+      query.place = point(words);
+    else if (words.size() == 4)
+      query.place = on_face(words);
+    else
+      throw OptionError("expected 'i', 'x y z' or 'face b0 b1 b2', each with an optional '+ start'");
+    if (query.row == no_index) query.label = "@" + std::to_string(entry);
+    if (plus != std::string::npos) query.start = start(text.substr(plus + 2));
+    return query;
+  }
+
+ private:
+  static double start(const std::string& text) {
+    std::string word, more;
+    std::istringstream stream(text);
+    stream >> word;
+    const double value = to_number(word);
+    if (value < 0 || stream >> more) throw OptionError("a start distance is one number >= 0, not '" + text + "'");
+    return value;
+  }
+
+  Place point(const std::vector<std::string>& words) {
+    if (!locator_) locator_ = std::make_shared<const SurfaceLocator>(surface_.mesh);
+    const Vec3 position{to_number(words[0]), to_number(words[1]), to_number(words[2])};
+    const SurfacePoint at = locator_->closest(position).at;
+    // On a mesh the surface itself was given, so the point meant is the one on it; a cloud's surface is an estimate.
+    const bool estimated = surface_.made_from == InputKind::points;
+    return {Place::State::on_surface, at, surface_.mesh->vertex_at(at),
+            estimated ? position : surface_.mesh->position(at)};
+  }
+
+  Place on_face(const std::vector<std::string>& words) {
+    if (surface_.made_from == InputKind::points)
+      throw OptionError("a cloud has no faces", "name a row or a point 'x y z'");
+    const std::size_t face = to_index(words[0], input_.facts.faces_in_file, "face");
+    SurfacePoint at{triangle_of(static_cast<Index>(face)),
+                    {to_number(words[1]), to_number(words[2]), to_number(words[3])}};
+    const double sum = std::accumulate(at.b.begin(), at.b.end(), 0.0);
+    if (std::min({at.b[0], at.b[1], at.b[2]}) < 0 || std::abs(sum - 1) > barycentric_tolerance)
+      throw OptionError("barycentric coordinates must be >= 0 with sum 1");
+    for (double& b : at.b) b /= sum;
+    return {Place::State::on_surface, at, surface_.mesh->vertex_at(at), surface_.mesh->position(at)};
+  }
+
+  Index triangle_of(Index face) {
+    if (triangles_of_face_.empty())
+      for (Index t = 0; t < input_.face_of_triangle.size(); ++t)
+        triangles_of_face_[input_.face_of_triangle[t]].push_back(t);
+    const auto found = triangles_of_face_.find(face);
+    if (found == triangles_of_face_.end())
+      throw OptionError("face " + std::to_string(face) + " was dropped as degenerate");
+    if (found->second.size() > 1)
+      throw OptionError("face " + std::to_string(face) + " is no triangle", "name the point as 'x y z'");
+    return found->second.front();
+  }
+
+  const Input& input_;
+  const Surface& surface_;
+  std::shared_ptr<const SurfaceLocator> locator_;
+  std::unordered_map<Index, std::vector<Index>> triangles_of_face_;
+};
+
+std::vector<Query> read_file(const std::string& name, Reader& reader) {
+  std::ifstream file(name);
+  if (!file) throw InputError(InputFault::io, name + ": cannot be opened");
+  std::vector<Query> queries;
+  std::string text;
+  for (std::size_t number = 1; std::getline(file, text); ++number) {
+    text = text.substr(0, text.find('#'));
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    for (char& c : text)
+      if (c == '\t' || c == '\r') c = ' ';
+    try {
+      queries.push_back(reader.line(text, queries.size()));
+    } catch (const OptionError& error) {
+      throw InputError(InputFault::syntax, name + ": line " + std::to_string(number) + ": " + error.message(),
+                       error.remedy());
+    }
+  }
+  if (queries.empty()) throw InputError(InputFault::empty, name + ": names no point");
+  return queries;
+}
+
+}  // namespace
+
+std::vector<Query> select(const std::string& text, const Input& input, const Surface& surface) {
+  Reader reader(input, surface);
+  if (text.starts_with('@')) return read_file(text.substr(1), reader);
+  std::vector<Query> queries;
+  if (text == "all") {
+    for (std::size_t i = 0; i < surface.places.size(); ++i) queries.push_back(reader.row(i));
+    return queries;
+  }
+  std::istringstream list(text);
+  for (std::string word; std::getline(list, word, ',');) queries.push_back(reader.row(word));
+  if (queries.empty()) throw OptionError("no point is named", "write 'all', '0,5,9' or '@FILE'");
+  return queries;
+}
+
+}  // namespace geodrome

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include "console.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+
+namespace geodrome::cli {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+std::atomic<int> interrupts = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler touches it");
+
+void on_interrupt(int) {
+  if (++interrupts > 1) _exit(130);
+}
+
+}  // namespace
+
+Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
+}
+
+Console::~Console() { clear_line(); }
+
+bool Console::cancelled() const noexcept { return interrupts > 0; }
+
+void Console::progress(std::string_view stage, double fraction) {
+  if (!terminal_ || quiet_) return;
+  const std::lock_guard lock(mutex_);
+  const auto now = std::chrono::steady_clock::now();
+  if (stage != stage_) {
+    stage_ = stage;
+    stage_began_ = last_shown_ = now;
+  }
+  if (now - stage_began_ < 1s || now - last_shown_ < 100ms) return;
+  last_shown_ = now;
+  line_shown_ = true;
+  std::fprintf(stderr, "\r\033[K%s %.0f %%", stage_.c_str(), 100 * fraction);
+  std::fflush(stderr);
+}
+
+void Console::log(LogLevel level, std::string_view message) {
+  if (level == LogLevel::debug || (quiet_ && level == LogLevel::info)) return;
+  const std::lock_guard lock(mutex_);
+  clear_line();
+  std::fprintf(stderr, "%s%.*s\n", level == LogLevel::warning ? "warning: " : "", static_cast<int>(message.size()),
+               message.data());
+}
+
+void Console::clear_line() {
+  if (line_shown_) std::fprintf(stderr, "\r\033[K");
+  line_shown_ = false;
+}
+
+}  // namespace geodrome::cli

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+
+#include "geodrome/engine/observer.hpp"
+
+namespace geodrome::cli {
+
+/// Tells a person at a terminal what goes on, on standard error: messages always, progress only on a terminal and only
+/// for what takes over a second. Ctrl-C asks the job to stop; a second one ends the program at once.
+class Console final : public Observer {
+ public:
+  explicit Console(bool quiet);
+  ~Console() override;
+
+  void progress(std::string_view stage, double fraction) override;
+  void log(LogLevel level, std::string_view message) override;
+  bool cancelled() const noexcept override;
+
+ private:
+  void clear_line();
+
+  const bool quiet_, terminal_;
+  std::mutex mutex_;
+  std::string stage_;
+  std::chrono::steady_clock::time_point stage_began_, last_shown_;
+  bool line_shown_ = false;
+};
+
+}  // namespace geodrome::cli

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <map>
+#include <memory>
+
+#include "commands.hpp"
+#include "console.hpp"
+
+namespace geodrome::cli {
+
+namespace {
+
+struct Arguments {
+  DistanceJob job;
+  bool quiet = false;
+};
+
+void add_outputs(CLI::App& command, DistanceJob& job) {
+  const std::map<std::string, ScalarType> scalars{{"float64", ScalarType::float64}, {"float32", ScalarType::float32}};
+  command.add_option("-o,--output", job.matrix, "The matrix, rows = sources: .npy, or .csv up to 1e6 entries")
+      ->type_name("FILE");
+  command.add_option("--dtype", job.scalar, "Numbers of an .npy: float64 or float32")
+      ->transform(CLI::CheckedTransformer(scalars))
+      ->type_name("TYPE")
+      ->default_str("float64");
+  command.add_option("--nearest", job.nearest, "One search from all sources: CSV of target, distance, source, reach")
+      ->type_name("FILE");
+  command.add_option("--report", job.report, "Everything about the run, as JSON")->type_name("FILE");
+  command.add_option("--surface", job.surface, "The surface that was used: .ply, .off, .obj, .stl")->type_name("FILE");
+  command.add_flag("--resume", job.resume, "Go on with OUTPUT.partial of an interrupted run");
+  command.add_flag("--yes", job.yes, "Consent to a matrix of more than 4 GB");
+}
+
+}  // namespace
+
+void add_distances(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  DistanceJob& job = arguments->job;
+  CLI::App& command = *app.add_subcommand("distances", "Distances from sources to targets (default: all pairs)");
+  add_input(command, job.input);
+  add_outputs(command, job);
+  const char* list = "'all', indices '0,5,9', or '@FILE' with lines 'i', 'x y z' or 'face b0 b1 b2'";
+  command.add_option("--sources", job.sources, std::string(list) + ", each with an optional '+ start'")
+      ->type_name("LIST")
+      ->capture_default_str();
+  command.add_option("--targets", job.targets, list)->type_name("LIST")->capture_default_str();
+  command.add_option("--max-distance", job.max_distance, "Farther is +inf (counted apart from unreachable)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("R");
+  const std::map<std::string, QueryRule> rules{{"project", QueryRule::project}};
+  command
+      .add_option("--query", job.query,
+                  "Points off the surface: project (closest surface point, D = max(surface distance, |st|))")
+      ->transform(CLI::CheckedTransformer(rules))
+      ->type_name("RULE")
+      ->default_str("project");
+  command.add_option("--audit", job.audit_share, "Share of the faces on which exactness is audited; 0: none")
+      ->check(CLI::Range(0.0, 1.0))
+      ->type_name("SHARE")
+      ->capture_default_str();
+  add_solver(command, job.settings.stages);
+  add_sample_stages(command, job.settings.stages);
+  add_read_options(command, job.settings.read);
+  add_run_options(command, job.settings);
+  add_quiet(command, arguments->quiet);
+  command.callback([&action, arguments] {
+    action = [arguments] {
+      Console console(arguments->quiet);
+      const JobReport report = run_distances(arguments->job, console);
+      std::cout << report.summary << std::flush;
+      return 0;
+    };
+  });
+}
+
+}  // namespace geodrome::cli

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "commands.hpp"
+
+namespace geodrome::cli {
+
+namespace {
+
+constexpr const char* sample_group = "Stages for point samples";
+constexpr const char* run_group = "Run";
+
+}  // namespace
+
+void add_input(CLI::App& command, std::filesystem::path& file) {
+  command.add_option("INPUT", file, "OFF, OBJ, PLY, STL (meshes or points) or XYZ (points)")->required();
+}
+
+void add_read_options(CLI::App& command, ReadOptions& read) {
+  const auto set_kind = [&read](const std::string& word) {
+    read.as = word == "mesh" ? InputKind::mesh : InputKind::points;
+  };
+  command
+      .add_option_function<std::string>("--as", set_kind,
+                                        "Take the input as 'points' or 'mesh' (default: a mesh if it has faces)")
+      ->check(CLI::IsMember({"points", "mesh"}))
+      ->type_name("KIND");
+  command.add_flag("--weld", read.weld, "Merge mesh vertices that are at exactly the same place");
+  command.add_flag("--drop-nonfinite", read.drop_nonfinite,
+                   "Drop points that are NaN or infinite (their distances are NaN)");
+}
+
+void add_sample_stages(CLI::App& command, StageChoice& stages) {
+  const auto add = [&](const char* flag, std::string& choice, const char* help) {
+    command.add_option(flag, choice, help)->type_name("NAME[:k=v,...]")->capture_default_str()->group(sample_group);
+  };
+  add("--tangent", stages.tangent, "Tangent planes");
+  add("--control", stages.control, "Control function psi");
+  add("--decimator", stages.decimator, "Decimation of the sample");
+  add("--reconstructor", stages.reconstructor, "Surface through the kept points");
+}
+
+void add_solver(CLI::App& command, StageChoice& stages) {
+  command.add_option("--solver", stages.solver, "Shortest-path solver")
+      ->type_name("NAME[:k=v,...]")
+      ->capture_default_str();
+}
+
+void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders) {
+  command.add_option("--plugin-path", folders, "Folder searched for plugins first (may be repeated)")
+      ->type_name("DIR")
+      ->allow_extra_args(false)
+      ->group(run_group);
+}
+
+void add_run_options(CLI::App& command, RunSettings& settings) {
+  add_plugin_path(command, settings.plugin_path);
+  command.add_option("--threads", settings.threads, "Threads; 0: one per core. No result depends on it")
+      ->capture_default_str()
+      ->group(run_group);
+  command.add_option("--seed", settings.seed, "Seed of everything random")->capture_default_str()->group(run_group);
+}
+
+void add_quiet(CLI::App& command, bool& quiet) {
+  command.add_flag("-q,--quiet", quiet, "Only warnings and errors on standard error")->group(run_group);
+}
+
+}  // namespace geodrome::cli

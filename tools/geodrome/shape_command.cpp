@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+
+#include "commands.hpp"
+#include "geodrome/engine/input.hpp"
+#include "tools/shapes/shapes.hpp"
+
+namespace geodrome::cli {
+
+namespace {
+
+using shapes::Sampling;
+
+struct Arguments {
+  std::string kind;
+  std::filesystem::path out;
+  shapes::SampleSpec spec;
+  bool mesh = false;
+  std::size_t faces = 5000;
+};
+
+int run(const Arguments& arguments) {
+  if (arguments.mesh) {
+    const SurfaceMesh made = shapes::mesh(arguments.kind, arguments.faces, arguments.spec.seed);
+    write_mesh(arguments.out, made);
+    std::cout << arguments.out.string() << ": " << made.vertex_count() << " vertices, " << made.face_count()
+              << " faces\n";
+  } else {
+    const PointSample made = shapes::sample(arguments.kind, arguments.spec);
+    write_points(arguments.out, made.points);
+    std::cout << arguments.out.string() << ": " << made.size() << " points\n";
+  }
+  return 0;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+}  // namespace
+
+void add_shape(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("shape", "Generates a shape, as points or as a mesh");
+  command
+      .add_option("KIND", arguments->kind,
+                  "Points: " + listed(shapes::sample_kinds()) + ". With --mesh: " + listed(shapes::mesh_kinds()))
+      ->required();
+  command.add_option("-o,--output", arguments->out, "Points: .xyz, .ply, .off; mesh: .ply, .off, .obj, .stl")
+      ->required()
+      ->type_name("FILE");
+  const std::map<std::string, Sampling> samplings{
+      {"uniform", Sampling::uniform}, {"blue", Sampling::blue}, {"grid", Sampling::grid}};
+  command.add_option("--points", arguments->spec.points, "How many points")->capture_default_str();
+  command.add_option("--sampling", arguments->spec.sampling, "uniform by area, blue noise, or a grid")
+      ->transform(CLI::CheckedTransformer(samplings))
+      ->type_name("HOW")
+      ->default_str("uniform");
+  command
+      .add_option("--noise", arguments->spec.noise, "Standard deviation along the normal, as a share of the diagonal")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command.add_flag("--mesh", arguments->mesh, "A mesh instead of points");
+  command.add_option("--faces", arguments->faces, "About how many faces")->capture_default_str();
+  command.add_option("--seed", arguments->spec.seed, "Seed of everything random")->capture_default_str();
+  command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace geodrome::cli
