@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "support/program.hpp"
+
+namespace {
+
+using namespace geodrome::testing;
+using namespace std::chrono_literals;
+
+/// A job of some seconds on one thread, so that it can be interrupted.
+class Interruption : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const Outcome made = run_geodrome(folder_, {"shape", "jittered-torus", "--mesh", "--faces", "4000", "-o", mesh()});
+    ASSERT_EQ(made.status, 0) << made.err;
+    ASSERT_EQ(run_geodrome(folder_, job("whole.npy")).status, 0);
+  }
+  std::string mesh() const { return (folder_ / "t.ply").string(); }
+  std::vector<std::string> job(const std::string& out) const {
+    return {"distances", mesh(),    "-o", (folder_ / out).string(), "--solver", "edge_dijkstra", "--threads",
+            "1",         "--audit", "0"};
+  }
+  /// Starts the job and signals it once some rows are there.
+  Outcome interrupt(const std::vector<std::string>& arguments, int signal, std::chrono::milliseconds after) {
+    RunningProgram program(folder_, "geodrome", arguments);
+    const auto partial = folder_ / "d.npy.partial";
+    for (int i = 0; i < 500 && !std::filesystem::exists(partial); ++i) std::this_thread::sleep_for(2ms);
+    std::this_thread::sleep_for(after);
+    program.send(signal);
+    return program.wait();
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
+      names.push_back(entry.path().filename());
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(Interruption, KilledJobsResumeToTheSameBytes) {
+  std::vector<std::string> resumed = job("d.npy");
+  resumed.push_back("--resume");
+  for (const auto after : {5ms, 60ms, 20ms}) interrupt(resumed, SIGKILL, after);
+  const Outcome last = run_geodrome(folder_, resumed);
+  ASSERT_EQ(last.status, 0) << last.err;
+  EXPECT_TRUE(read_bytes(folder_ / "d.npy") == read_bytes(folder_ / "whole.npy"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "d.npy.partial"));
+}
+
+TEST_F(Interruption, CtrlCEndsWith130AndLeavesThePartialAndNothingElse) {
+  std::vector<std::string> arguments = job("d.npy");
+  arguments.insert(arguments.end(),
+                   {"--report", (folder_ / "r.json").string(), "--surface", (folder_ / "s.ply").string()});
+  const Outcome outcome = interrupt(arguments, SIGINT, 10ms);
+  EXPECT_EQ(outcome.status, 130) << outcome.err;
+  EXPECT_EQ(files(), (std::vector<std::string>{"d.npy.partial", "stderr", "stdout", "t.ply", "whole.npy"}));
+}
+
+TEST_F(Interruption, ResumingWithOtherOptionsIsRefusedNamingThem) {
+  interrupt(job("d.npy"), SIGKILL, 10ms);
+  std::vector<std::string> other = job("d.npy");
+  other.insert(other.end(), {"--resume", "--seed", "7"});
+  const Outcome outcome = run_geodrome(folder_, other);
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("seed"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
