@@ -26,11 +26,21 @@ function(expect_match what text pattern)
   endif()
 endfunction()
 
+# The edges' lengths from the first corner of the rectangle.
+function(check_first_row csv)
+  file(STRINGS ${csv} rows REGEX "^[0-9]")
+  list(GET rows 0 row)
+  expect_equal("first row of the distances along edges" "${row}" "0,3,7,4")
+endfunction()
+
 # Runs the third party's program with the install in `where`.
 function(check_library where)
   set(ENV{LD_LIBRARY_PATH} ${where}/${LIBDIR})
-  run(values ${third_party}/ten_lines ${SOURCE}/rectangle.off ${third_party}/lib/geodrome)
-  expect_equal("distances of the program" "${values}" "0\n3\n7\n4\n")
+  set(csv ${WORK}/library.csv)
+  file(REMOVE ${csv})
+  run(summary ${third_party}/ten_lines ${SOURCE}/rectangle.off ${csv} ${third_party}/lib/geodrome)
+  expect_match("summary" "${summary}" "solver_third_party")
+  check_first_row(${csv})
 endfunction()
 
 # Runs the installed program with the third party's plugin.
@@ -38,20 +48,18 @@ function(check_program where)
   set(plugins ${third_party}/lib/geodrome)
   run(shown ${where}/bin/geodrome plugins show solver_third_party --plugin-path ${plugins})
   expect_match("plugins show" "${shown}" "third_party")
-  set(csv ${WORK}/out.csv)
+  set(csv ${WORK}/program.csv)
   file(REMOVE ${csv})
   run(ignored ${where}/bin/geodrome distances ${SOURCE}/rectangle.off -o ${csv} --solver third_party
       --plugin-path ${plugins})
-  file(STRINGS ${csv} rows REGEX "^[0-9]")
-  list(GET rows 0 row)
-  expect_equal("first row of the distances along edges" "${row}" "0,3,7,4")
+  check_first_row(${csv})
 endfunction()
 
 if(STEP STREQUAL "install")
   file(REMOVE_RECURSE ${WORK})
   run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
-  foreach(file bin/geodrome-vet ${LIBDIR}/libgeodrome_engine.so include/geodrome/plugin.hpp
-          include/geodrome/engine/plugin_host.hpp ${LIBDIR}/cmake/geodrome/geodromeConfig.cmake)
+  foreach(file bin/geodrome bin/geodrome-vet ${LIBDIR}/libgeodrome_engine.so include/geodrome/plugin.hpp
+          include/geodrome/engine.hpp ${LIBDIR}/cmake/geodrome/geodromeConfig.cmake)
     if(NOT EXISTS ${prefix}/${file})
       message(FATAL_ERROR "${file} was not installed")
     endif()
