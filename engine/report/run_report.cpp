@@ -158,7 +158,8 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Guara
         << " (D >= Euclid, D(s,s), symmetry, triangle inequality, reach)\n";
   }
   if (record.nearest)
-    out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached in "
+    out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
+        << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "
         << record.nearest->seconds << " s\n";
   const AuditSummary& audit = record.audit;
   if (audit.not_audited.empty())
