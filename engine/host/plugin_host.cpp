@@ -7,8 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/host/plugin_choice.hpp"
 #include "engine/host/registry.hpp"
-#include "engine/host/selection.hpp"
 #include "engine/host/vetting.hpp"
 
 namespace geodrome {
@@ -173,14 +173,14 @@ PluginInfo PluginHost::known_or_inspected(const fs::path& file) const {
 }
 
 PluginHost::Loaded PluginHost::load_object(std::string_view stage, std::string_view text) const {
-  const Selection selection = parse_selection(stage, text);
-  const PluginInfo info = selection.file.empty() ? find(stage, selection.name) : known_or_inspected(selection.file);
+  const PluginChoice choice = parse_choice(stage, text);
+  const PluginInfo info = choice.file.empty() ? find(stage, choice.name) : known_or_inspected(choice.file);
   if (info.stage != stage)
     throw OptionError(info.file.string() + " is a " + info.stage + " plugin, a " + std::string(stage) + " is needed");
   const LoadedPlugin& plugin = load_for_good(info);
   const PluginDescriptor& descriptor = *plugin.descriptor;
   return cross_boundary(plugin.info, [&]() -> Loaded {
-    OptionValues options({descriptor.options, descriptor.option_count}, selection.options);
+    OptionValues options({descriptor.options, descriptor.option_count}, choice.options);
     auto object = create(plugin, options);
     const double factor = descriptor.factor(&options);
     if (!(factor >= 1)) throw PluginError("its factor with these options is " + std::to_string(factor) + ", below 1");

@@ -2,10 +2,10 @@
 #include "engine/input/soup.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include "engine/input/line_reader.hpp"
+#include "engine/lower_extension.hpp"
 
 namespace geodrome::input {
 namespace {
@@ -27,12 +27,6 @@ void reject_compressed(const SourceFile& file) {
              "unpack it with " + std::string(packing.remedy));
 }
 
-std::string lower_extension(const SourceFile& file) {
-  std::string extension = file.path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 // An OFF keyword with whatever may stand before and after it: COFF, STNOFF, 4OFF, OFF6 (a count without a blank).
 bool is_off_keyword(std::string_view word) {
   const std::size_t off = word.find("OFF");
@@ -51,7 +45,7 @@ Parser parser_by_content(const SourceFile& file) {
 }
 
 Parser parser_by_name(const SourceFile& file) {
-  const std::string extension = lower_extension(file);
+  const std::string extension = lower_extension(file.path);
   if (extension == ".off") return parse_off;
   if (extension == ".obj") return parse_obj;
   if (extension == ".ply") return parse_ply;

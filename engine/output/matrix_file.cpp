@@ -10,6 +10,7 @@
 
 #include "engine/output/csv.hpp"
 #include "engine/output/npy.hpp"
+#include "engine/output/number_text.hpp"
 #include "engine/output/partial_footer.hpp"
 #include "engine/output/posix_file.hpp"
 #include "geodrome/errors.hpp"
@@ -64,19 +65,12 @@ PosixFile open_locked(const fs::path& partial) {
   }
 }
 
-std::string as_text(double value) {
-  std::string text;
-  append_csv_row(text, {&value, 1}, ScalarType::float64);
-  text.pop_back();  // the newline
-  return text;
-}
-
 /// The row as it is stored. Throws OptionError where float32 would turn a finite distance into "unreachable" or into 0.
 std::vector<float> narrowed(const MatrixFile::Spec& spec, std::uint64_t row, std::span<const double> values) {
   std::vector<float> result(values.begin(), values.end());
   for (std::size_t i = 0; i < result.size(); ++i)
     if (std::isfinite(values[i]) != std::isfinite(result[i]) || (values[i] == 0) != (result[i] == 0))
-      throw OptionError("the distance " + as_text(values[i]) + " (row " + std::to_string(row) + ", column " +
+      throw OptionError("the distance " + number_text(values[i]) + " (row " + std::to_string(row) + ", column " +
                             std::to_string(i) + " of " + spec.out.string() + ") does not fit into float32",
                         "store float64");
   return result;

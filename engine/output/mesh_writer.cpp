@@ -2,15 +2,15 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "engine/lower_extension.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/number_text.hpp"
 #include "geodrome/engine/input.hpp"
 
 namespace geodrome {
@@ -18,13 +18,6 @@ namespace {
 
 using Positions = std::span<const Vec3>;
 using Triangles = std::span<const Triangle>;
-
-// The shortest decimal that reads back as the same number.
-void append_number(std::string& text, double value) {
-  std::array<char, 32> digits;
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  text.append(digits.data(), end);
-}
 
 void append_point(std::string& text, std::string_view before, const Vec3& p) {
   text += before;
@@ -113,12 +106,6 @@ std::string stl_bytes(const std::filesystem::path& file, Positions positions, Tr
     append_little_endian(bytes, std::uint16_t{0});
   }
   return bytes;
-}
-
-std::string lower_extension(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
 }
 
 [[noreturn]] void reject_ending(const std::filesystem::path& file, const std::string& known) {

@@ -6,10 +6,16 @@
 
 namespace geodrome {
 
-/// The shortest text that reads back as the same number; "inf", "nan".
-inline std::string number_text(double value) {
+/// Appends the shortest text that reads back as the same number; "inf", "nan".
+inline void append_number(std::string& text, double value) {
   char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  text.append(buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr);
+}
+
+inline std::string number_text(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
 }
 
 }  // namespace geodrome

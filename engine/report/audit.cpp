@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <numeric>
-#include <random>
 #include <vector>
 
 #include "engine/report/common_face.hpp"
+#include "engine/report/seeded_subset.hpp"
 
 namespace geodrome {
 namespace {
@@ -23,19 +22,9 @@ std::string shown(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4).ptr};
 }
 
-/// `share` of the faces, at least one, ascending; drawn without repetition by the seed (first steps of a Fisher-Yates
-/// shuffle, so that no library's distribution decides).
-std::vector<Index> chosen_faces(std::size_t count, double share, std::uint64_t seed) {
-  std::vector<Index> faces(count);
-  std::iota(faces.begin(), faces.end(), Index{0});
-  if (count == 0 || share >= 1) return faces;
-  const double wanted = std::ceil(share * static_cast<double>(count));
-  const std::size_t chosen = std::clamp<std::size_t>(static_cast<std::size_t>(std::max(wanted, 1.0)), 1, count);
-  std::mt19937_64 random(seed);
-  for (std::size_t i = 0; i < chosen; ++i) std::swap(faces[i], faces[i + random() % (count - i)]);
-  faces.resize(chosen);
-  std::sort(faces.begin(), faces.end());
-  return faces;
+/// `share` of the faces, rounded up, so at least one; ascending.
+std::vector<Index> chosen_faces(Index count, double share, std::uint64_t seed) {
+  return seeded_subset(count, static_cast<Index>(std::ceil(std::min(share, 1.0) * count)), seed);
 }
 
 class Auditor {
@@ -53,7 +42,8 @@ class Auditor {
 
   AuditResult run() {
     for (const Source& source : sources_) audit_source(source);
-    for (const Index face : chosen_faces(mesh_.face_count(), options_.share, options_.seed)) audit_face(face);
+    for (const Index face : chosen_faces(static_cast<Index>(mesh_.face_count()), options_.share, options_.seed))
+      audit_face(face);
     const double scale = result_.scale > 0 ? result_.scale : 1;
     result_.worst_lipschitz /= scale;
     result_.worst_path /= scale;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <random>
 #include <unordered_map>
+
+#include "engine/report/seeded_subset.hpp"
 
 namespace geodrome {
 namespace {
@@ -31,17 +32,6 @@ struct SampledRow {
   std::vector<double> distances;
 };
 
-std::vector<std::uint64_t> sample_rows(std::uint64_t rows, std::uint64_t wanted, std::uint64_t seed) {
-  std::vector<std::uint64_t> chosen(rows);
-  std::iota(chosen.begin(), chosen.end(), std::uint64_t{0});
-  if (wanted >= rows) return chosen;
-  std::mt19937_64 random(seed);
-  for (std::uint64_t i = 0; i < wanted; ++i) std::swap(chosen[i], chosen[i + draw(random, rows - i)]);
-  chosen.resize(wanted);
-  std::sort(chosen.begin(), chosen.end());
-  return chosen;
-}
-
 std::vector<SampledRow> read_sample(const MatrixView& matrix, const InvariantOptions& options) {
   std::unordered_map<std::uint64_t, std::uint64_t> column_of_id;
   for (std::uint64_t column = 0; column < matrix.column_ids.size(); ++column)
@@ -50,7 +40,7 @@ std::vector<SampledRow> read_sample(const MatrixView& matrix, const InvariantOpt
   const std::uint64_t wanted = std::max<std::uint64_t>(options.entries / columns, 3);
 
   std::vector<SampledRow> sample;
-  for (const std::uint64_t row : sample_rows(matrix.row_ids.size(), wanted, options.seed)) {
+  for (const std::uint64_t row : seeded_subset<std::uint64_t>(matrix.row_ids.size(), wanted, options.seed)) {
     SampledRow sampled{row, std::nullopt, matrix.read(row)};
     if (const auto found = column_of_id.find(matrix.row_ids[row]); found != column_of_id.end())
       sampled.column = found->second;

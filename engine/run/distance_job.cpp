@@ -4,7 +4,7 @@
 #include "engine/input/source_file.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
-#include "engine/report/run_report.hpp"
+#include "engine/run/run_report.hpp"
 #include "engine/run/stage_context.hpp"
 #include "geodrome/engine/version.hpp"
 

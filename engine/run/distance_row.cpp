@@ -11,7 +11,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
-bool needs_face_source(const Query& query) {
+bool is_no_vertex(const Query& query) {
   return query.place.state == Place::State::on_surface && query.place.vertex == no_index;
 }
 
@@ -34,24 +34,25 @@ std::unique_ptr<Search> make_search(const PreparedSolver& solver) {
   return cross_boundary(solver.plugin.info, [&] { return solver.prepared->make_search(); });
 }
 
+void demand(const PreparedSolver& solver, Provides wanted, const char* what) {
+  if (!solver.provides(wanted))
+    throw CapabilityError(solver.plugin.info.full_name() + " does not provide " + what,
+                          "choose a solver that does (see 'geodrome plugins list')");
+}
+
 void check_provides(const PreparedSolver& solver, std::span<const Query> sources, std::span<const Query> targets,
                     double max_distance) {
-  const auto demand = [&](bool wanted, Provides bit, const char* what) {
-    if (wanted && !solver.provides(bit))
-      throw CapabilityError(solver.plugin.info.full_name() + " does not provide " + what,
-                            "choose a solver that does (see 'geodrome plugins list')");
-  };
-  demand(std::any_of(sources.begin(), sources.end(), needs_face_source), face_sources,
-         "sources that are no vertices (face_sources)");
-  demand(std::any_of(targets.begin(), targets.end(), needs_face_source), any_point,
-         "distances of points inside faces (any_point)");
-  demand(std::isfinite(max_distance), radius_limit, "a largest distance (radius_limit)");
+  if (std::any_of(sources.begin(), sources.end(), is_no_vertex))
+    demand(solver, face_sources, "sources that are no vertices (face_sources)");
+  if (std::any_of(targets.begin(), targets.end(), is_no_vertex))
+    demand(solver, any_point, "distances of points inside faces (any_point)");
+  if (std::isfinite(max_distance)) demand(solver, radius_limit, "a largest distance (radius_limit)");
 }
 
 TargetList::TargetList(std::vector<Query> queries, const Surface& surface)
     : queries_(std::move(queries)), estimated_(surface.made_from == InputKind::points) {
   for (const Query& query : queries_)
-    if (needs_face_source(query)) points_.push_back(query.place.at);
+    if (is_no_vertex(query)) points_.push_back(query.place.at);
 }
 
 double TargetList::read(const ShortestPathMap& map, std::size_t j) const {

@@ -16,7 +16,11 @@ const ShortestPathMap& run_search(const PreparedSolver& solver, Search& search, 
 /// A new search of the prepared surface.
 std::unique_ptr<Search> make_search(const PreparedSolver& solver);
 
-/// Throws CapabilityError, naming plugin and capability, if the job wants what the solver does not provide.
+/// Throws CapabilityError, naming plugin and capability, if the solver does not provide `wanted`; `what` is that in
+/// words.
+void demand(const PreparedSolver& solver, Provides wanted, const char* what);
+
+/// Throws CapabilityError as `demand` if the solver lacks what these sources, targets and limit take.
 void check_provides(const PreparedSolver& solver, std::span<const Query> sources, std::span<const Query> targets,
                     double max_distance);
 

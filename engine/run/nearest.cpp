@@ -35,10 +35,8 @@ Starts starts_of(const PreparedSolver& solver, std::span<const Query> queries) {
     starts.sources.push_back({queries[i].place.at, queries[i].start});
     starts.of_query.push_back(i);
   }
-  const bool shifted = std::any_of(queries.begin(), queries.end(), [](const Query& q) { return q.start > 0; });
-  if (shifted && !solver.provides(start_distances))
-    throw CapabilityError(solver.plugin.info.full_name() + " does not provide start distances (start_distances)",
-                          "choose a solver that does (see 'geodrome plugins list')");
+  if (std::any_of(queries.begin(), queries.end(), [](const Query& q) { return q.start > 0; }))
+    demand(solver, start_distances, "start distances (start_distances)");
   return starts;
 }
 

@@ -104,8 +104,7 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   const PreparedSolver solver =
       prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
   check_provides(solver, {&from, 1}, {&to, 1}, std::numeric_limits<double>::infinity());
-  if (!solver.provides(paths))
-    throw CapabilityError(solver.plugin.info.full_name() + " does not provide paths", "choose a solver that does");
+  demand(solver, paths, "paths");
   StageContext context(ShortestPathSolver::stage, observer, 1, job.settings.seed);
   const PathResult result = find_path(solver, opened.surface, from, to, context);
   if (format) write_atomically(job.out, format(result));

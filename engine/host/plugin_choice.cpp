@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/host/selection.hpp"
+#include "engine/host/plugin_choice.hpp"
 
 #include <algorithm>
 
@@ -17,19 +17,19 @@ std::size_t end_of_target(std::string_view text) {
 
 }  // namespace
 
-Selection parse_selection(std::string_view stage, std::string_view text) {
+PluginChoice parse_choice(std::string_view stage, std::string_view text) {
   const std::size_t end = end_of_target(text);
   std::string_view target = text.substr(0, end);
-  Selection selection;
-  if (end < text.size()) selection.options = text.substr(end + 1);
+  PluginChoice choice;
+  if (end < text.size()) choice.options = text.substr(end + 1);
   if (target.ends_with(extension) || target.find('/') != std::string_view::npos) {
-    selection.file = std::filesystem::weakly_canonical(std::filesystem::absolute(target));
-    return selection;
+    choice.file = std::filesystem::weakly_canonical(std::filesystem::absolute(target));
+    return choice;
   }
   if (target.size() > stage.size() && target.starts_with(stage) && target[stage.size()] == '_')
     target.remove_prefix(stage.size() + 1);
-  selection.name = target;
-  return selection;
+  choice.name = target;
+  return choice;
 }
 
 }  // namespace geodrome

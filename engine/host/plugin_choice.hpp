@@ -8,13 +8,13 @@
 namespace geodrome {
 
 /// "name[:key=value,...]" taken apart. Either `name` or `file` is set.
-struct Selection {
+struct PluginChoice {
   std::string name;            ///< without its stage
   std::filesystem::path file;  ///< absolute
   std::string options;
 };
 
 /// What holds a '/' or ends in ".so" is a file, all else a name, which may carry its stage ("solver_cgal").
-Selection parse_selection(std::string_view stage, std::string_view text);
+PluginChoice parse_choice(std::string_view stage, std::string_view text);
 
 }  // namespace geodrome

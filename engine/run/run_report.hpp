@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "engine/run/matrix_stage.hpp"
+#include "engine/run/distance_matrix.hpp"
 #include "engine/run/nearest.hpp"
 #include "engine/run/open_input.hpp"
 #include "engine/run/surface_audit.hpp"

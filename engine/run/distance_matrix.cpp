@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/run/matrix_stage.hpp"
+#include "engine/run/distance_matrix.hpp"
 
 #include <algorithm>
 #include <atomic>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/report/run_report.hpp"
+#include "engine/run/run_report.hpp"
 
 #include <sys/resource.h>
 
@@ -131,32 +131,41 @@ Json run_json(const RunRecord& record) {
   return json;
 }
 
-void summarize(const RunRecord& record, const SurfaceFacts& surface, const GuaranteeVerdict* verdict,
-               std::ostream& out) {
-  out.precision(4);
-  const Input& input = record.opened.input;
+void summarize_surface(const Input& input, const SurfaceFacts& surface, std::ostream& out) {
   out << "input      " << input.file.string() << ": " << input.facts.rows
       << (input.kind == InputKind::mesh ? " vertices" : " points") << "\n";
   out << "surface    " << surface.vertices << " vertices, " << surface.faces << " faces, "
       << (surface.closed ? "closed" : "bordered") << ", " << surface.components
       << (surface.components == 1 ? " component" : " components");
   if (surface.genus) out << ", genus " << *surface.genus;
-  out << "\nsolver     " << record.solver.plugin.info.full_name() << ", ";
-  if (record.solver.plugin.factor == 1)
+  out << "\n";
+}
+
+void summarize_solver(const PreparedSolver& solver, std::ostream& out) {
+  out << "solver     " << solver.plugin.info.full_name() << ", ";
+  if (solver.plugin.factor == 1)
     out << "exact\n";
-  else if (std::isinf(record.solver.plugin.factor))
+  else if (std::isinf(solver.plugin.factor))
     out << "no stated guarantee\n";
   else
-    out << "at most " << record.solver.plugin.factor << " times the distance\n";
-  if (record.matrix) {
-    const MatrixResult& m = *record.matrix;
-    out << "matrix     " << record.job.matrix.string() << ": " << m.rows << " x " << m.columns << " in " << m.seconds
-        << " s; " << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
-        << m.reach.not_computed << " not computed\n";
-    const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
-    out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED: see the report")
-        << " (D >= Euclid, D(s,s), symmetry, triangle inequality, reach)\n";
-  }
+    out << "at most " << solver.plugin.factor << " times the distance\n";
+}
+
+void summarize_matrix(const std::string& file, const MatrixResult& m, std::ostream& out) {
+  out << "matrix     " << file << ": " << m.rows << " x " << m.columns << " in " << m.seconds << " s; "
+      << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
+      << m.reach.not_computed << " not computed\n";
+  const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
+  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED: see the report")
+      << " (D >= Euclid, D(s,s), symmetry, triangle inequality, reach)\n";
+}
+
+void summarize(const RunRecord& record, const SurfaceFacts& surface, const GuaranteeVerdict* verdict,
+               std::ostream& out) {
+  out.precision(4);
+  summarize_surface(record.opened.input, surface, out);
+  summarize_solver(record.solver, out);
+  if (record.matrix) summarize_matrix(record.job.matrix.string(), *record.matrix, out);
   if (record.nearest)
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
         << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "
