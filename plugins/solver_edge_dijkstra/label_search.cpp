@@ -18,7 +18,7 @@ LabelSearch::LabelSearch(const EdgeGraph& graph)
       previous_(graph.vertex_count(), no_index),
       wanted_(graph.vertex_count(), 0),
       place_(graph.vertex_count(), static_cast<std::size_t>(-1)),
-      heap_({}, Places(place_.data(), {}), Before{distance_.data(), source_.data()}) {}
+      heap_(distance_.data(), Places(place_.data(), {})) {}
 
 void LabelSearch::clear() {
   while (!heap_.empty()) heap_.pop();

@@ -4,6 +4,7 @@
 #include <boost/graph/detail/d_ary_heap.hpp>
 #include <boost/property_map/property_map.hpp>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -13,9 +14,9 @@
 
 namespace geodrome {
 
-/// Dijkstra's search from any number of labelled starts, with Boost.Graph's indexed heap. A label is (distance, source)
-/// and labels are compared in that order, so that ties go to the lowest source. Boost.Graph's own search takes one
-/// start vertex, allocates its heap anew for each, and can only be stopped by an exception.
+/// Dijkstra's search from any number of labelled starts, with Boost.Graph's indexed heap. A label is (distance,
+/// source); of two labels the lower one stays, so that ties go to the lowest source. The heap compares distances alone:
+/// a vertex whose label is lowered at the same distance goes back into the heap, and is counted as settled again.
 ///
 /// Reused: a new search costs what the last one reached. Not to be copied or shared between threads.
 class LabelSearch {
@@ -43,15 +44,8 @@ class LabelSearch {
   std::uint64_t settled() const { return settled_; }
 
  private:
-  struct Before {
-    const double* distance;
-    const Index* source;
-    bool operator()(Index a, Index b) const {
-      return distance[a] != distance[b] ? distance[a] < distance[b] : source[a] < source[b];
-    }
-  };
   using Places = boost::iterator_property_map<std::size_t*, boost::typed_identity_property_map<Index>>;
-  using Heap = boost::d_ary_heap_indirect<Index, 4, Places, boost::typed_identity_property_map<Index>, Before>;
+  using Heap = boost::d_ary_heap_indirect<Index, 4, Places, const double*, std::less<double>>;
 
   void relax(Index vertex, double distance, Index source, Index previous);
   void drop_unsettled();
