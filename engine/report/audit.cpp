@@ -90,12 +90,29 @@ class Auditor {
     }
     if (!as_it_should_be) return report_lipschitz(infinity, face);
     if (!has_source_[component_of(face)]) return;
-    for (const Sample& sample : samples) result_.scale = std::max(result_.scale, sample.value);
+    for (const Sample& sample : samples) {
+      result_.scale = std::max(result_.scale, sample.value);
+      audit_one_value(sample);
+    }
     for (std::size_t i = 0; i < samples.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) audit_pair(samples[i], samples[j], face);
     if (!(provides_ & paths)) return;
     audit_path(samples[face % 3], face);
     audit_path({centre(face), map_.at(centre(face)).value}, face);
+  }
+
+  /// A point on an edge or at a vertex has one distance, whichever face it is asked on and, at a vertex, in the list of
+  /// all. A solver that loses a window while it crosses an edge has two, each of them Lipschitz on its own face.
+  void audit_one_value(const Sample& sample) {
+    const auto compare = [&](double other) {
+      if (!std::isfinite(options_.factor)) return;
+      ++result_.pairs;
+      report_lipschitz(sample.value / options_.factor - other, sample.at.face);
+      report_lipschitz(other / options_.factor - sample.value, sample.at.face);
+    };
+    if (const SurfacePoint next = common_.on_next_face(sample.at); next.face != sample.at.face)
+      compare(map_.at(next).value);
+    if (const Index vertex = mesh_.vertex_at(sample.at); vertex != no_index) compare(map_.vertices()[vertex]);
   }
 
   static SurfacePoint centre(Index face) {

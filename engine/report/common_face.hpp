@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -38,6 +39,19 @@ class CommonFace {
       b[j] = point.b[i];
     }
     return b;
+  }
+
+  /// The same point on the next face that holds it; from there on around all of them, back to where it began. The point
+  /// itself if it lies inside its face or on the border. O(degree).
+  SurfacePoint on_next_face(const SurfacePoint& point) const {
+    const auto corner = std::ranges::find_if(point.b, [](double b) { return b != 0; }) - point.b.begin();
+    const std::span<const Index> faces = faces_at(mesh_.triangles()[point.face][corner]);
+    const std::size_t own = std::ranges::find(faces, point.face) - faces.begin();
+    for (std::size_t i = 1; i < faces.size(); ++i) {
+      const Index face = faces[(own + i) % faces.size()];
+      if (const auto b = on_face(point, face)) return {face, *b};
+    }
+    return point;
   }
 
   /// The straight distance of two points in the first face that holds both; nothing if none does. O(degree).

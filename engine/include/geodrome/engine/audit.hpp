@@ -10,8 +10,8 @@
 namespace geodrome {
 
 struct AuditOptions {
-  double factor = 1;            ///< the solver's guarantee; +inf: only the paths are audited
-  double share = 1;             ///< of the faces, in (0, 1]
+  double factor = 1;                ///< the solver's guarantee; +inf: only the paths are audited
+  double share = 1;                 ///< of the faces, in (0, 1]
   std::size_t points_per_edge = 2;  ///< sampled on each edge of an audited face, beside its corners
   std::uint64_t seed = 0;
 };
@@ -20,16 +20,17 @@ struct AuditOptions {
 struct AuditResult {
   std::size_t faces = 0, pairs = 0, paths = 0;
   double scale = 0;            ///< the largest finite distance audited, in the units of the input
-  double worst_lipschitz = 0;  ///< max of D(x)/factor - D(y) - |xy| over pairs in one face, over scale; at least 0
+  double worst_lipschitz = 0;  ///< max of D(x)/factor - D(y) - |xy| over pairs in a common face, over scale; at least 0
   double worst_path = 0;       ///< max of |length of path + start - D| over scale, where path_is_distance is provided
   Index worst_lipschitz_face = no_index, worst_path_face = no_index;
-  std::string where;           ///< one line for people about the worst place
+  std::string where;  ///< one line for people about the worst place
 };
 
 /// The audit: exactness without a second solver. A function that is 1-Lipschitz on every face and equals the start
 /// distance at the sources is nowhere longer than the true distance; one whose every value is the length of a path is
-/// nowhere shorter. Checks both, at sampled points, through the map alone; for a factor f the bound becomes
-/// D(x) <= f (D(y) + |xy|). `map` must come from a request with Keep::map and no radius. O(faces x samples x query).
+/// nowhere shorter. Checks both, at sampled points, through the map alone, and that it is a function: one value at an
+/// edge or a vertex, whichever face it is asked on. For a factor f the bound becomes D(x) <= f (D(y) + |xy|). `map`
+/// must come from a request with Keep::map and no radius. O(faces x samples x query).
 AuditResult audit(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map,
                   std::uint64_t provides, const AuditOptions& options);
 
