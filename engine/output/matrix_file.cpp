@@ -123,15 +123,25 @@ struct MatrixFile::Impl {
     }
   }
 
-  /// A partial that is exactly the finished .npy: its run died after it had cut the footer off. The fingerprint is
-  /// gone.
-  void refuse_if_only_the_name_is_missing() const {
+  /// A partial that is exactly the finished .npy and has no saved footer: nothing tells which run it is of.
+  void refuse_if_without_footer() const {
     std::string begin(header.size(), '\0');
     if (file.size() != bytes(spec)) return;
     file.read_at(0, begin.data(), begin.size());
     if (begin == header)
-      throw RefusedError(file.path().string() + " is complete, but its run ended before it was renamed",
-                         "rename it to " + spec.out.string() + " to use it, or rerun without --resume");
+      throw RefusedError(file.path().string() + " is a whole matrix, but nothing tells which run it is of",
+                         "rename it to " + spec.out.string() + " if you know, or rerun without --resume");
+  }
+
+  /// The name is given last, so that OUT is whole whenever it is there. From the cut to the renaming the fingerprint
+  /// and the checksums are in a file of their own, for a run that resumes after an end in between.
+  void write_npy() const {
+    save_footer(file, spec, saved_footer(spec));
+    file.resize(bytes(spec));
+    file.sync();
+    rename_durably(file.path(), spec.out);
+    std::error_code ignored;
+    fs::remove(saved_footer(spec), ignored);
   }
 
   void write_csv() const {
@@ -169,6 +179,7 @@ struct MatrixFile::Impl {
     return load(std::vector<float>(spec.columns));
   }
 
+  static fs::path saved_footer(const Spec& spec) { return with_suffix(spec.out, ".partial-footer"); }
   static fs::path text_file(const Spec& spec) { return with_suffix(spec.out, ".partial-text"); }
 
   Spec spec;
@@ -211,9 +222,11 @@ MatrixFile MatrixFile::open(const Spec& spec, bool resume) {
   fs::remove(Impl::text_file(spec));  // of a run that died while it wrote the text
   std::optional<Spec> stored;
   if (resume) {
-    impl->refuse_if_only_the_name_is_missing();
+    restore_footer(impl->file, Impl::saved_footer(spec));
+    impl->refuse_if_without_footer();
     stored = read_footer(impl->file);
   }
+  fs::remove(Impl::saved_footer(spec));
   if (stored) {
     impl->adopt(*stored);
     return MatrixFile(std::move(impl));
@@ -256,13 +269,7 @@ void MatrixFile::finish() {
   Impl& m = *impl_;
   if (m.done.load() != m.spec.rows) throw std::logic_error("MatrixFile::finish: rows are missing");
   m.file.sync();
-  if (is_csv(m.spec)) {
-    m.write_csv();
-  } else {
-    m.file.resize(bytes(m.spec));
-    m.file.sync();
-    rename_durably(m.file.path(), m.spec.out);
-  }
+  is_csv(m.spec) ? m.write_csv() : m.write_npy();
   m.finished = true;
 }
 

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <vector>
 
 #include "engine/output/npy.hpp"
 #include "geodrome/errors.hpp"
@@ -34,6 +35,19 @@ static_assert(sizeof(Trailer) == 64);
 std::uint64_t checksum_of(const Trailer& trailer) { return XXH3_64bits(&trailer, offsetof(Trailer, checksum)); }
 
 std::uint64_t fingerprint_offset(const MatrixFile::Spec& spec) { return checksum_offset(spec, spec.rows); }
+
+/// The spec of a trailer, its fingerprint only as long as it is to be; nothing if those bytes are no whole trailer.
+std::optional<MatrixFile::Spec> spec_of(const std::array<char, sizeof(Trailer)>& bytes, std::uint64_t file_size) {
+  const auto trailer = std::bit_cast<Trailer>(bytes);
+  if (trailer.magic != magic || trailer.version != footer_version || trailer.checksum != checksum_of(trailer) ||
+      trailer.fingerprint_bytes > file_size)
+    return std::nullopt;
+  MatrixFile::Spec spec;
+  spec.rows = trailer.rows, spec.columns = trailer.columns;
+  spec.scalar = trailer.scalar_bytes == 8 ? ScalarType::float64 : ScalarType::float32;
+  spec.fingerprint.resize(trailer.fingerprint_bytes);
+  return spec;
+}
 
 [[noreturn]] void refuse_damaged(const PosixFile& file) {
   throw RefusedError(file.path().string() + " is damaged, or no unfinished matrix",
@@ -108,19 +122,37 @@ std::optional<MatrixFile::Spec> read_footer(const PosixFile& file) {
   // The header is written after the trailer, so a file that has neither was given up before the first row.
   if (std::ranges::all_of(first, zero) && std::ranges::all_of(last, zero)) return std::nullopt;
 
-  const auto trailer = std::bit_cast<Trailer>(last);
-  if (trailer.magic != magic || trailer.version != footer_version || trailer.checksum != checksum_of(trailer))
-    refuse_damaged(file);
-  MatrixFile::Spec spec;
-  spec.rows = trailer.rows, spec.columns = trailer.columns;
-  spec.scalar = trailer.scalar_bytes == 8 ? ScalarType::float64 : ScalarType::float32;
-  if (trailer.fingerprint_bytes > size) refuse_damaged(file);
-  spec.fingerprint.resize(trailer.fingerprint_bytes);
-  if (partial_bytes(spec) != size) refuse_damaged(file);
-  file.read_at(fingerprint_offset(spec), spec.fingerprint.data(), spec.fingerprint.size());
-  if (XXH3_64bits(spec.fingerprint.data(), spec.fingerprint.size()) != trailer.fingerprint_checksum)
+  std::optional<MatrixFile::Spec> spec = spec_of(last, size);
+  if (!spec || partial_bytes(*spec) != size) refuse_damaged(file);
+  std::string& fingerprint = spec->fingerprint;
+  file.read_at(fingerprint_offset(*spec), fingerprint.data(), fingerprint.size());
+  if (XXH3_64bits(fingerprint.data(), fingerprint.size()) != std::bit_cast<Trailer>(last).fingerprint_checksum)
     refuse_damaged(file);
   return spec;
+}
+
+void save_footer(const PosixFile& file, const MatrixFile::Spec& spec, const std::filesystem::path& to) {
+  std::vector<char> footer(partial_bytes(spec) - MatrixFile::bytes(spec));
+  file.read_at(MatrixFile::bytes(spec), footer.data(), footer.size());
+  const PosixFile saved(to, true);
+  saved.write_at(0, footer.data(), footer.size());
+  saved.sync();
+}
+
+void restore_footer(const PosixFile& file, const std::filesystem::path& from) {
+  if (!std::filesystem::exists(from)) return;
+  const PosixFile saved(from, false);
+  std::vector<char> footer(saved.size());
+  std::array<char, sizeof(Trailer)> last;
+  if (footer.size() < last.size()) return;
+  saved.read_at(0, footer.data(), footer.size());
+  std::copy(footer.end() - last.size(), footer.end(), last.begin());
+  const std::optional<MatrixFile::Spec> spec = spec_of(last, footer.size());
+  if (!spec) return;
+  const std::uint64_t begin = MatrixFile::bytes(*spec), end = partial_bytes(*spec);
+  if (footer.size() != end - begin || file.size() < begin || file.size() > end) return;
+  file.write_at(begin, footer.data(), footer.size());
+  file.sync();
 }
 
 std::string differences(const MatrixFile::Spec& stored, const MatrixFile::Spec& now) {

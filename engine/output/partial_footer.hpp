@@ -32,6 +32,14 @@ void write_footer(const PosixFile& file, const MatrixFile::Spec& spec);
 /// trailer, and therefore any row. Throws RefusedError, naming the file, if it is damaged or no partial.
 std::optional<MatrixFile::Spec> read_footer(const PosixFile& file);
 
+/// Copies the footer of the partial of `spec` into a file of its own. To be done before it is cut off.
+void save_footer(const PosixFile& file, const MatrixFile::Spec& spec, const std::filesystem::path& to);
+
+/// Puts a saved footer back at its place behind the matrix, if `from` is one, whole, and `file` is the matrix that it
+/// was saved from as far as its size tells: without the footer, or with some of it. Otherwise does nothing. Whether the
+/// rows are those of the footer is for their checksums to tell.
+void restore_footer(const PosixFile& file, const std::filesystem::path& from);
+
 /// In which respects two specs differ, each with both values shortened to 60 characters: "/seed was 1 and is 2". Empty
 /// if they do not. The fingerprints are compared member by member if both are JSON, else as text.
 std::string differences(const MatrixFile::Spec& stored, const MatrixFile::Spec& now);

@@ -17,7 +17,8 @@ enum class ScalarType { float64, float32 };
 ///
 /// While it grows it is one file, OUT.partial: the .npy file as it will be, then a footer with the fingerprint of the
 /// run and a 64-bit checksum per row, which tells the rows that are whole. `finish` cuts the footer off and renames the
-/// file (for .csv: writes the text, then removes the .partial). Nothing else is left on disk.
+/// file (for .csv: writes the text, then removes the .partial); while it does, the footer (the text) is in
+/// OUT.partial-footer (OUT.partial-text). Nothing else is left on disk.
 class MatrixFile {
  public:
   struct Spec {
