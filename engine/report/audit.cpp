@@ -8,6 +8,7 @@
 
 #include "engine/report/common_face.hpp"
 #include "engine/report/seeded_subset.hpp"
+#include "geodrome/vertex_components.hpp"
 
 namespace geodrome {
 namespace {
@@ -31,12 +32,14 @@ class Auditor {
  public:
   Auditor(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map, std::uint64_t provides,
           const AuditOptions& options)
-      : mesh_(mesh), sources_(sources), map_(map), provides_(provides), options_(options), common_(mesh) {
-    detail::DisjointSets sets(mesh.vertex_count());
-    for (const Triangle& t : mesh.triangles()) sets.unite(t[0], t[1]), sets.unite(t[0], t[2]);
-    component_.resize(mesh.vertex_count());
-    for (Index v = 0; v < component_.size(); ++v) component_[v] = sets.find(v);
-    has_source_.resize(mesh.vertex_count(), false);
+      : mesh_(mesh),
+        sources_(sources),
+        map_(map),
+        provides_(provides),
+        options_(options),
+        common_(mesh),
+        component_(vertex_components(mesh)),
+        has_source_(mesh.vertex_count(), false) {
     for (const Source& source : sources) has_source_[component_of(source.at.face)] = true;
   }
 

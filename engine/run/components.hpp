@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geodrome/engine/selection.hpp"
+#include "geodrome/vertex_components.hpp"
 
 namespace geodrome {
 
@@ -16,33 +17,18 @@ struct ReachCounts {
   std::uint64_t missed = 0, impossible = 0;
 };
 
-/// Which component of the surface each query lies in: two points have a distance if and only if they share it.
-class Components {
- public:
-  explicit Components(const SurfaceMesh& mesh) : sets_(mesh.vertex_count()) {
-    for (const Triangle& t : mesh.triangles()) {
-      sets_.unite(t[0], t[1]);
-      sets_.unite(t[1], t[2]);
-    }
-    triangles_ = mesh.triangles();
+/// The component of the surface that each query lies in, as `vertex_components` names it; a dropped one is in none.
+inline std::vector<Index> components_of(const SurfaceMesh& mesh, std::span<const Query> queries) {
+  const std::vector<Index> of_vertex = vertex_components(mesh);
+  std::vector<Index> components;
+  for (const auto& [place, start, row, label] : queries) {
+    const bool isolated = place.state == Place::State::isolated;
+    components.push_back(place.state == Place::State::dropped
+                             ? no_index
+                             : of_vertex[isolated ? place.vertex : mesh.triangles()[place.at.face][0]]);
   }
-
-  /// The lowest vertex of the component; a dropped place is in none.
-  Index of(const Place& place) {
-    if (place.state == Place::State::dropped) return no_index;
-    return sets_.find(place.state == Place::State::isolated ? place.vertex : triangles_[place.at.face][0]);
-  }
-
-  std::vector<Index> of(std::span<const Query> queries) {
-    std::vector<Index> components;
-    for (const Query& query : queries) components.push_back(of(query.place));
-    return components;
-  }
-
- private:
-  detail::DisjointSets sets_;
-  std::span<const Triangle> triangles_;
-};
+  return components;
+}
 
 /// Adds one row: distances from a source in component `source` to targets in `components`.
 inline void count_reach(std::span<const double> row, Index source, std::span<const Index> components, bool limited,

@@ -162,11 +162,11 @@ Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver
 /// Reads the whole matrix once more, as it stands on disk, resumed rows included.
 ReachCounts count_reaches(const DistanceJob& job, const Surface& surface, const MatrixFile& file,
                           std::span<const Query> sources, std::span<const Query> targets) {
-  Components components(*surface.mesh);
-  const std::vector<Index> of_target = components.of(targets);
+  const std::vector<Index> of_source = components_of(*surface.mesh, sources),
+                           of_target = components_of(*surface.mesh, targets);
   ReachCounts counts;
   for (std::uint64_t i = 0; i < sources.size(); ++i)
-    count_reach(file.read(i), components.of(sources[i].place), of_target, std::isfinite(job.max_distance), counts);
+    count_reach(file.read(i), of_source[i], of_target, std::isfinite(job.max_distance), counts);
   return counts;
 }
 

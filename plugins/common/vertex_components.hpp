@@ -5,17 +5,9 @@
 #include <vector>
 
 #include "geodrome/surface.hpp"
+#include "geodrome/vertex_components.hpp"
 
 namespace geodrome {
-
-/// The connected component of every vertex, named by its lowest vertex. Faces that share a vertex are connected.
-inline std::vector<Index> vertex_components(const SurfaceMesh& mesh) {
-  detail::DisjointSets sets(mesh.vertex_count());
-  for (const Triangle& t : mesh.triangles()) sets.unite(t[0], t[1]), sets.unite(t[0], t[2]);
-  std::vector<Index> component(mesh.vertex_count());
-  for (Index v = 0; v < component.size(); ++v) component[v] = sets.find(v);
-  return component;
-}
 
 /// The components that hold a source of the current run: tells unreachable from beyond a limit. Reused from run to run.
 class SourceComponents {

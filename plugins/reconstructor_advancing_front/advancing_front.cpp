@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reconstructor_advancing_front/advancing_front.hpp"
+#include "plugins/reconstructor_advancing_front/advancing_front.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
-#include "reconstructor_advancing_front/manifold_faces.hpp"
-#include "reconstructor_advancing_front/triangulate.hpp"
+#include "plugins/reconstructor_advancing_front/manifold_faces.hpp"
+#include "plugins/reconstructor_advancing_front/triangulate.hpp"
 
 namespace geodrome {
 namespace {

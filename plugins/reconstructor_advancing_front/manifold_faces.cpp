@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reconstructor_advancing_front/manifold_faces.hpp"
+#include "plugins/reconstructor_advancing_front/manifold_faces.hpp"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-#include "common/vertex_components.hpp"
+#include "geodrome/vertex_components.hpp"
 
 namespace geodrome {
 namespace {
@@ -53,12 +53,11 @@ std::size_t drop_minor_fans(std::vector<Triangle>& faces, std::size_t vertex_cou
 
 void orient_outwards(std::vector<Triangle>& faces, std::span<const Vec3> points) {
   const detail::Connectivity connectivity = detail::connect(faces, points.size());
-  detail::DisjointSets sets(points.size());
-  for (const Triangle& t : faces) sets.unite(t[0], t[1]), sets.unite(t[0], t[2]);
+  const std::vector<Index> component_of = vertex_components(faces, points.size());
   std::vector<double> volume(points.size(), 0);
   std::vector<bool> open(points.size(), false);
   for (Index f = 0; f < faces.size(); ++f) {
-    const Index component = sets.find(faces[f][0]);
+    const Index component = component_of[faces[f][0]];
     const auto& [a, b, c] = faces[f];
     const Vec3 origin = points[component];
     volume[component] += dot(points[a] - origin, cross(points[b] - origin, points[c] - origin));
@@ -66,7 +65,7 @@ void orient_outwards(std::vector<Triangle>& faces, std::span<const Vec3> points)
       if (connectivity.twins[3 * f + i] == no_index) open[component] = true;
   }
   for (Triangle& t : faces) {
-    const Index component = sets.find(t[0]);
+    const Index component = component_of[t[0]];
     if (!open[component] && volume[component] < 0) std::swap(t[1], t[2]);
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reconstructor_advancing_front/triangulate.hpp"
+#include "plugins/reconstructor_advancing_front/triangulate.hpp"
 
 #include <CGAL/Advancing_front_surface_reconstruction.h>
 #include <CGAL/Delaunay_triangulation_2.h>
