@@ -127,6 +127,15 @@ TEST_F(Requests, ListsMayHaveWindowsLineEndsAndSpacesInTheirName) {
   EXPECT_EQ(read_bytes(folder_ / "d.csv").substr(0, 10), "0,1\n1.5,0.");
 }
 
+TEST_F(Requests, FileNamesMayHoldBytesThatAreNoText) {
+  const std::string name = file("m\xFF.off");
+  fs::copy(file("m.off"), name);
+  EXPECT_TRUE(nlohmann::json::parse(run({"check", name, "--json"}).out)["usable"]);
+  const std::vector<std::string> job{"distances", name, "-o", file("d\xFF.npy"), "--report", file("r.json")};
+  ASSERT_EQ(run(job).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(read_bytes(folder_ / "r.json"))["input"]["rows"], 6);
+}
+
 TEST_F(Requests, PathFromAPointToItselfHasLengthZero) {
   EXPECT_NE(run({"path", file("m.off"), "--from", "1", "--to", "1", "-o", file("p.csv")}).out.find("distance 0,"),
             std::string::npos);

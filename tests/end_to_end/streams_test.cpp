@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <pty.h>
+
 #include <cstdlib>
 
 #include "support/npy.hpp"
@@ -25,6 +27,27 @@ class Streams : public ::testing::Test {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
+  /// Runs `geodrome` with all three streams on a terminal and gives what it wrote there.
+  std::string on_terminal(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), std::string(GEODROME_BINARY_DIR) + "/bin/geodrome");
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    int terminal = -1;
+    const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+    if (child == 0) {
+      execv(argv[0], argv.data());
+      _exit(127);
+    }
+    std::string text;
+    char block[4096];
+    for (ssize_t count = 0; (count = read(terminal, block, sizeof block)) > 0;)  // EIO once the program has ended
+      text.append(block, static_cast<std::size_t>(count));
+    close(terminal);
+    waitpid(child, nullptr, 0);
+    return text;
+  }
+
   TemporaryFolder folder_;
 };
 
@@ -42,6 +65,20 @@ TEST_F(Streams, OutputThatCannotBeWrittenIsStatusThree) {
   EXPECT_NE(read_bytes(folder_ / "err").find("standard output"), std::string::npos);
   EXPECT_EQ(run("check m.off --json", ">&- 2> err"), 3);
   EXPECT_EQ(run("--help", "> /dev/full 2> err"), 3);
+}
+
+TEST_F(Streams, TheLineOfProgressIsGoneBeforeTheResultIsPrinted) {
+  ASSERT_EQ(run("shape bumpy --mesh --faces 2000 -o b.ply", "> out"), 0);
+  std::string sources = "0";
+  for (int i = 1; i < 60; ++i) sources += "," + std::to_string(i);
+  const std::string text = on_terminal({"distances", (folder_ / "b.ply").string(), "--audit", "0", "-o",
+                                        (folder_ / "d.npy").string(), "--solver", "cgal", "--sources", sources});
+  const std::string cleared = "\r\033[K";
+  const std::size_t progress = text.rfind("distances "), summary = text.find("input      ");
+  ASSERT_NE(summary, std::string::npos) << text;
+  if (progress == std::string::npos) GTEST_SKIP() << "took less than the second after which progress is shown";
+  EXPECT_LT(progress, summary);
+  EXPECT_EQ(text.substr(summary - cleared.size(), cleared.size()), cleared) << text;
 }
 
 }  // namespace

@@ -41,12 +41,12 @@ int run(const Arguments& arguments) {
     if (!arguments.json)
       print(input);
     else
-      std::cout << Json{{"usable", true}, {"input", to_json(input)}}.dump(2) << "\n";
+      std::cout << text_of(Json{{"usable", true}, {"input", to_json(input)}}) << "\n";
     return 0;
   } catch (const InputError& error) {
     if (!arguments.json) throw;
     const Json what{{"fault", name(error.fault())}, {"message", error.message()}, {"remedy", error.remedy()}};
-    std::cout << Json{{"usable", false}, {"file", arguments.input.string()}, {"error", what}}.dump(2) << "\n";
+    std::cout << text_of(Json{{"usable", false}, {"file", arguments.input.string()}, {"error", what}}) << "\n";
     return exit_status(error);
   }
 }

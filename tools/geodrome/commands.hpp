@@ -49,7 +49,7 @@ CLI::Option* add_choice(CLI::App& command, const std::string& flag, Value& value
   const auto set = [&value, values](const std::string& word) { value = values.at(word); };
   return command.add_option_function<std::string>(flag, set, help)
       ->check(CLI::IsMember(words))
-      ->type_name("")
+      ->type_name("WORD")
       ->default_str(standard);
 }
 

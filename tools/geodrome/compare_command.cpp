@@ -76,7 +76,7 @@ int run(Arguments arguments) {
     if (status == 0) status = row.error_status;
   }
   if (arguments.json)
-    std::cout << json.dump(2) << "\n";
+    std::cout << text_of(json) << "\n";
   else
     print(rows);
   return status;
