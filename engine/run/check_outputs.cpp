@@ -38,7 +38,7 @@ void check_place(const fs::path& file) {
 std::vector<fs::path> files_read(const fs::path& input, std::span<const std::string> selections) {
   std::vector<fs::path> files{input};
   for (const std::string& selection : selections)
-    if (selection.starts_with('@')) files.emplace_back(selection.substr(1));
+    if (selection.starts_with('@') && selection.size() > 1) files.emplace_back(selection.substr(1));
   return files;
 }
 

@@ -148,7 +148,7 @@ TEST_F(Requests, PathFromAPointToItselfHasLengthZero) {
 }
 
 TEST_F(Requests, APluginFileThatIsNotThereIsUsage) {
-  expect(distances({"-o", file("d.npy"), "--solver", file("solver_x.so")}), 2, "solver_x.so");
+  expect(run({"distances", file("m.off"), "-o", file("d.npy"), "--solver", file("solver_x.so")}), 2, "solver_x.so");
 }
 
 TEST_F(Requests, FindingsAreToldWithTheirNumberAndPlace) {

@@ -32,9 +32,12 @@ void occupy_standard_streams() {
 
 /// CLI11 takes a word that is no command for a missing one.
 void demand_known_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-' || app.get_subcommand_no_throw(argv[1]) != nullptr) return;
+  if (argc < 2 || argv[1][0] == '-') return;
   std::string names;
-  for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
   throw geodrome::OptionError("there is no command '" + std::string(argv[1]) + "'", "choose one of " + names);
 }
 
