@@ -147,10 +147,11 @@ PluginListing PluginHost::list() const {
 
 PluginInfo PluginHost::inspect(const fs::path& file) const {
   const fs::path whole = fs::weakly_canonical(fs::absolute(file));
-  if (!is_file(whole)) throw PluginError("plugin " + whole.string() + " is not there", "name another file");
+  if (!is_file(whole)) throw OptionError("plugin " + whole.string() + " is not there", "name another file");
   auto result = vet(whole);
   if (auto* plugin = std::get_if<PluginInfo>(&result)) return std::move(*plugin);
-  throw PluginError("plugin " + whole.string() + " is refused: " + std::get<PluginRefusal>(result).reason);
+  throw PluginError("plugin " + whole.string() + " is refused: " + std::get<PluginRefusal>(result).reason,
+                    "rebuild or remove it, or choose another plugin");
 }
 
 PluginInfo PluginHost::find(std::string_view stage, const std::string& name) const {

@@ -35,7 +35,7 @@ SourceFile read_source(const std::filesystem::path& path) {
     reject(file, InputFault::io, "is no regular file");
 
   const std::unique_ptr<std::FILE, Closer> stream(std::fopen(path.c_str(), "rb"));
-  if (!stream) reject(file, InputFault::io, "cannot be opened: " + last_reason());
+  if (!stream) reject(file, InputFault::io, "cannot be opened: " + last_reason(), "check its permissions");
   const auto size = std::filesystem::file_size(path, ignored);
   if (std::filesystem::is_regular_file(status) && !ignored) file.bytes.reserve(size);
   char block[1 << 16];

@@ -49,7 +49,8 @@ class TemporaryFile {
  private:
   [[noreturn]] void fail() const {
     const std::string reason = std::generic_category().message(errno);
-    throw InputError(InputFault::io, target_.string() + ": cannot be written: " + reason);
+    throw InputError(InputFault::io, target_.string() + ": cannot be written: " + reason,
+                     "check the path, its permissions and the room on the disk");
   }
 
   std::filesystem::path target_, path_;

@@ -4,6 +4,7 @@
 #include "engine/input/source_file.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
+#include "engine/run/check_outputs.hpp"
 #include "engine/run/run_report.hpp"
 #include "engine/run/stage_context.hpp"
 #include "geodrome/engine/version.hpp"
@@ -52,24 +53,16 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
 void check_job(const DistanceJob& job) {
   if (job.matrix.empty() && job.nearest.empty())
     throw OptionError("nothing to write", "name an output: -o FILE or --nearest FILE");
+  if (!(job.max_distance >= 0)) throw OptionError("the largest distance must be a number >= 0");
+  if (!(job.audit_share >= 0 && job.audit_share <= 1)) throw OptionError("the audit's share must be from 0 to 1");
   if (job.resume && job.matrix.empty()) throw OptionError("--resume goes on with a matrix", "name it with -o FILE");
-  const auto demand_ending = [](const std::filesystem::path& file, std::initializer_list<const char*> endings) {
-    std::string valid;
-    for (const char* ending : endings) {
-      if (file.empty() || file.extension() == ending) return;
-      valid += (valid.empty() ? "" : ", ") + std::string(ending);
-    }
-    throw OptionError(file.string() + ": the name must end in " + valid);
-  };
-  demand_ending(job.matrix, {".npy", ".csv"});
-  demand_ending(job.nearest, {".csv"});
-  demand_ending(job.report, {".json"});
-  demand_ending(job.surface, {".ply", ".off", ".obj", ".stl"});
-  for (const std::filesystem::path& file : {job.matrix, job.nearest, job.report, job.surface}) {
-    const std::filesystem::path folder = file.parent_path();
-    if (!file.empty() && !folder.empty() && !std::filesystem::is_directory(folder))
-      throw InputError(InputFault::io, file.string() + ": there is no folder " + folder.string(), "make it first");
-  }
+  check_ending(job.matrix, {".npy", ".csv"});
+  check_ending(job.nearest, {".csv"});
+  check_ending(job.report, {".json"});
+  check_ending(job.surface, {".ply", ".off", ".obj", ".stl"});
+  const std::filesystem::path outputs[] = {job.matrix, job.nearest, job.report, job.surface};
+  const std::string selections[] = {job.sources, job.targets};
+  check_outputs(outputs, files_read(job.input, selections));
 }
 
 }  // namespace

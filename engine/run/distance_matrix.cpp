@@ -30,8 +30,8 @@ std::string size_text(std::uint64_t bytes) {
 
 std::string time_text(double seconds) {
   if (seconds < 1) return "under a second";
-  if (seconds < 120) return printed("%.0f s", seconds);
-  return seconds < 7200 ? printed("%.0f min", seconds / 60) : printed("%.1f h", seconds / 3600);
+  if (seconds < 120) return printed("about %.0f s", seconds);
+  return seconds < 7200 ? printed("about %.0f min", seconds / 60) : printed("about %.1f h", seconds / 3600);
 }
 
 /// Adds a search's counters up; those that are named "largest_..." are combined by maximum.
@@ -99,9 +99,9 @@ void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t 
   const double seconds = row_seconds * static_cast<double>(missing) / threads;
   observer.log(LogLevel::info, "matrix: " + std::to_string(spec.rows) + " x " + std::to_string(spec.columns) + " " +
                                    (spec.scalar == ScalarType::float64 ? "float64" : "float32") + ", " +
-                                   size_text(bytes) + "; " + std::to_string(missing) + " rows to compute, about " +
-                                   time_text(seconds) + " on " + std::to_string(threads) +
-                                   (threads == 1 ? " thread" : " threads"));
+                                   size_text(bytes) + "; " + std::to_string(missing) +
+                                   (missing == 1 ? " row" : " rows") + " to compute, " + time_text(seconds) + " on " +
+                                   std::to_string(threads) + (threads == 1 ? " thread" : " threads"));
 }
 
 /// Rows still missing, each once, over all threads.
@@ -196,7 +196,13 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   tell_plan(spec, result.bytes, missing.size(), result.first_row_seconds, threads, observer);
 
   const Stopwatch watch;
-  compute_rows(missing, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
+  try {
+    compute_rows(missing, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
+  } catch (const Cancelled&) {
+    observer.log(LogLevel::info, job.matrix.string() + ".partial holds " + std::to_string(file.rows_done()) + " of " +
+                                     std::to_string(spec.rows) + " rows: --resume goes on with it");
+    throw;
+  }
   result.seconds = watch.seconds() + result.first_row_seconds;
   result.counters = maker.counters();
   result.reach = count_reaches(job, surface, file, sources, targets.queries());

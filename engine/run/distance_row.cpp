@@ -37,7 +37,7 @@ std::unique_ptr<Search> make_search(const PreparedSolver& solver) {
 void demand(const PreparedSolver& solver, Provides wanted, const char* what) {
   if (!solver.provides(wanted))
     throw CapabilityError(solver.plugin.info.full_name() + " does not provide " + what,
-                          "choose a solver that does (see 'geodrome plugins list')");
+                          "choose a solver that does ('geodrome plugins show NAME' tells)");
 }
 
 void check_provides(const PreparedSolver& solver, std::span<const Query> sources, std::span<const Query> targets,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/run/open_input.hpp"
 
+#include "engine/report/finding_text.hpp"
 #include "engine/run/stage_context.hpp"
 
 namespace geodrome {
@@ -9,8 +10,11 @@ namespace {
 
 void tell(const std::vector<Finding>& findings, Observer& observer) {
   for (const Finding& finding : findings)
-    observer.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning, finding.message);
+    observer.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning, text_of(finding));
 }
+
+/// That a mesh has a boundary or several components is no news to whoever made it: `check` and the report say so.
+bool is_no_news(const Finding& finding) { return finding.severity == Finding::Severity::note; }
 
 /// A mesh needs none of stages 1 to 4: whoever chose plugins for them should know that they do not run.
 void tell_unused(const StageChoice& chosen, Observer& observer) {
@@ -31,7 +35,9 @@ Opened open_input(const std::filesystem::path& file, const PluginHost& host, con
   const Stopwatch reading;
   opened.input = read_input(file, settings.read);
   opened.read_seconds = reading.seconds();
-  tell(opened.input.findings, observer);
+  std::vector<Finding> findings = opened.input.findings;
+  if (opened.input.kind == InputKind::mesh) std::erase_if(findings, is_no_news);
+  tell(findings, observer);
   if (opened.input.kind == InputKind::mesh) tell_unused(settings.stages, observer);
   const Stopwatch making;
   opened.surface = make_surface(opened.input, host, settings, observer);

@@ -5,6 +5,7 @@
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/number_text.hpp"
 #include "engine/report/json.hpp"
+#include "engine/run/check_outputs.hpp"
 #include "engine/run/distance_row.hpp"
 #include "engine/run/open_input.hpp"
 #include "engine/run/stage_context.hpp"
@@ -31,7 +32,7 @@ std::string as_obj(const PathResult& path) {
     text += "v " + number_text(p.x) + " " + number_text(p.y) + " " + number_text(p.z) + "\n";
     line += " " + std::to_string(i + 1);
   }
-  return path.positions.empty() ? "# unreachable\n" : text + line + "\n";
+  return path.positions.empty() ? "# no path\n" : text + line + "\n";
 }
 
 std::string as_csv(const PathResult& path) {
@@ -82,7 +83,10 @@ PathResult find_path(const PreparedSolver& solver, const Surface& surface, const
   PathResult result;
   result.distance = std::numeric_limits<double>::infinity();
   const bool isolated = from.place.state == Place::State::isolated || to.place.state == Place::State::isolated;
-  if (isolated) return result;
+  if (isolated) {
+    if (from.place.vertex == to.place.vertex) result.distance = 0;
+    return result;
+  }
   const TargetList targets({to}, surface);
   const auto search = make_search(solver);
   const Source source{from.place.at, 0};
@@ -98,6 +102,8 @@ PathResult find_path(const PreparedSolver& solver, const Surface& surface, const
 
 PathResult run_path(const PathJob& job, Observer& observer) {
   const Format format = job.out.empty() ? nullptr : format_of(job.out);
+  const std::string selections[] = {job.from, job.to};
+  check_outputs({&job.out, 1}, files_read(job.input, selections));
   const PluginHost host(job.settings.plugin_path);
   const Opened opened = open_input(job.input, host, job.settings, observer);
   const Query from = select_one(job.from, "--from", opened), to = select_one(job.to, "--to", opened);

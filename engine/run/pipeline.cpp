@@ -151,7 +151,7 @@ void check_needs(const PluginInfo& plugin, const SurfaceMesh& mesh) {
   need(closed, mesh.closed(), "not closed");
   if (missing.empty()) return;
   throw CapabilityError(plugin.full_name() + " cannot work on this surface: " + missing,
-                        "repair the mesh, or choose a solver that needs less (see 'geodrome plugins list')");
+                        "repair the mesh, or choose a solver that needs less ('geodrome plugins show NAME' tells)");
 }
 
 }  // namespace

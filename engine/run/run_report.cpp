@@ -210,7 +210,7 @@ JobReport write_report(const RunRecord& record) {
   json["peak_memory_bytes"] = peak_memory_bytes();
   std::ostringstream summary;
   summarize(record, facts, verdict ? &*verdict : nullptr, summary);
-  return {json.dump(2), summary.str()};
+  return {text_of(json), summary.str()};
 }
 
 }  // namespace geodrome

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <unordered_map>
 
+#include "engine/input/source_file.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -16,12 +18,15 @@ namespace {
 /// Barycentric coordinates may be off by as much as six printed digits leave; they are normalised to sum 1.
 constexpr double barycentric_tolerance = 1e-9;
 
+/// What editors of Windows put before UTF-8.
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
 double to_number(const std::string& word) {
   double value = std::numeric_limits<double>::quiet_NaN();
   const char* begin = word.data() + (word.starts_with('+') ? 1 : 0);
   const auto [end, error] = std::from_chars(begin, word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-    throw OptionError("'" + word + "' is not a number");
+    throw OptionError(input::quoted(word) + " is not a number");
   return value;
 }
 
@@ -29,7 +34,7 @@ std::size_t to_index(const std::string& word, std::size_t count, const char* wha
   std::size_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc() || end != word.data() + word.size())
-    throw OptionError("'" + word + "' is not the index of a " + what);
+    throw OptionError(input::quoted(word) + " is not the index of a " + what, "indices are whole numbers from 0");
   if (value >= count)
     throw OptionError(std::string(what) + " " + word + " does not exist",
                       "there are " + std::to_string(count) + ", counted from 0");
@@ -68,8 +73,9 @@ class Reader {
     std::string word, more;
     std::istringstream stream(text);
     stream >> word;
-    const double value = to_number(word);
-    if (value < 0 || stream >> more) throw OptionError("a start distance is one number >= 0, not '" + text + "'");
+    const double value = word.empty() ? -1 : to_number(word);
+    if (value < 0 || stream >> more)
+      throw OptionError("a start distance is one number >= 0, not " + input::quoted(text));
     return value;
   }
 
@@ -115,11 +121,17 @@ class Reader {
 };
 
 std::vector<Query> read_file(const std::string& name, Reader& reader) {
+  std::error_code ignored;
+  const bool is_directory = std::filesystem::is_directory(name, ignored);
   std::ifstream file(name);
-  if (!file) throw InputError(InputFault::io, name + ": cannot be opened");
+  if (!file || is_directory)
+    throw InputError(InputFault::io,
+                     "the list '" + name + "' cannot be opened" + (is_directory ? ": it is a directory" : ""),
+                     "write '@FILE' with the path of a file that may be read");
   std::vector<Query> queries;
   std::string text;
   for (std::size_t number = 1; std::getline(file, text); ++number) {
+    if (number == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
     text = text.substr(0, text.find('#'));
     if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
     for (char& c : text)
@@ -131,7 +143,8 @@ std::vector<Query> read_file(const std::string& name, Reader& reader) {
                        error.remedy());
     }
   }
-  if (queries.empty()) throw InputError(InputFault::empty, name + ": names no point");
+  if (queries.empty())
+    throw InputError(InputFault::empty, name + ": names no point", "write one a line: 'i', 'x y z' or 'face b0 b1 b2'");
   return queries;
 }
 
@@ -145,7 +158,7 @@ std::vector<Query> select(const std::string& text, const Input& input, const Sur
     for (std::size_t i = 0; i < surface.places.size(); ++i) queries.push_back(reader.row(i));
     return queries;
   }
-  std::istringstream list(text);
+  std::istringstream list(text + (text.ends_with(',') ? "," : ""));  // getline sees no empty word at the end
   for (std::string word; std::getline(list, word, ',');) queries.push_back(reader.row(word));
   if (queries.empty()) throw OptionError("no point is named", "write 'all', '0,5,9' or '@FILE'");
   return queries;

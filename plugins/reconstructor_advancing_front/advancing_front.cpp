@@ -19,6 +19,11 @@ Finding found(Finding::Severity severity, const char* code, std::string message,
   return {severity, code, std::move(message), count, std::move(elements)};
 }
 
+/// "1 face", "2 faces".
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 /// Keeps the points that faces use, in their order, and says which were left out.
 void build_mesh(Reconstruction& result, std::vector<Triangle> faces, std::span<const Vec3> points,
                 std::span<const Index> kept) {
@@ -46,7 +51,10 @@ void build_mesh(Reconstruction& result, std::vector<Triangle> faces, std::span<c
   unused.resize(std::min(count, shown));
   if (count > 0)
     result.findings.push_back(found(Finding::Severity::warning, "unused_points",
-                                    "kept points that are on no face of the surface and were left out", count, unused));
+                                    counted(count, "kept point is", "kept points are") +
+                                        " on no face of the surface and left out: the sample may be too sparse or "
+                                        "too noisy there.",
+                                    count, unused));
   result.mesh = std::make_shared<const SurfaceMesh>(std::move(positions), std::move(faces));
 }
 
@@ -55,17 +63,21 @@ void judge(Reconstruction& result, const std::string& boundary) {
   std::vector<Index> points;
   for (const Index v : facts.some_vertices) points.push_back(result.sample_of_vertex[v]);
   if (facts.loops > 0 && boundary == "closed")
-    throw SampleError(
-        "the surface has " + std::to_string(facts.loops) + " boundary loops, one at point " + std::to_string(points[0]),
-        "sample more densely there, or allow a boundary with boundary=auto");
+    throw SampleError("the surface has " + counted(facts.loops, "boundary loop", "boundary loops") + ", one at point " +
+                          std::to_string(points[0]),
+                      "sample more densely there, or allow a boundary with boundary=auto");
   if (facts.loops > 0)
     result.findings.push_back(found(boundary == "open" ? Finding::Severity::note : Finding::Severity::warning,
-                                    "boundary", "boundary loops of the surface; the points listed lie on them",
+                                    "boundary",
+                                    "the surface has " + counted(facts.loops, "boundary loop", "boundary loops") +
+                                        " (the points named are on them): sample more densely there if it should "
+                                        "be closed, say boundary=open if not.",
                                     facts.loops, points));
   if (facts.components > 1)
     result.findings.push_back(found(Finding::Severity::note, "components",
-                                    "components of the surface: no edge is longer than 4.96 psi, so what lies farther "
-                                    "apart is not connected",
+                                    "the surface has " + std::to_string(facts.components) +
+                                        " components: no edge is longer than 4.96 psi, so what lies farther apart is "
+                                        "not connected.",
                                     facts.components));
 }
 
@@ -104,13 +116,14 @@ Reconstruction AdvancingFront::reconstruct(const PointSample& sample, const Tang
   context.throw_if_cancelled();
   if (plane)
     result.findings.push_back(found(Finding::Severity::note, "planar",
-                                    "the sample is planar and was triangulated in its plane; "
-                                    "triangles that are too large for psi were cut",
+                                    "the sample is planar and was triangulated in its plane; " +
+                                        counted(cut, "triangle", "triangles") + " too large for psi left out.",
                                     cut));
   const std::size_t dropped = drop_minor_fans(faces, points.size());
   if (dropped > 0)
     result.findings.push_back(found(Finding::Severity::warning, "dropped_faces",
-                                    "faces that met the rest in single points and were dropped", dropped));
+                                    counted(dropped, "face", "faces") + " met the rest in a single point and left out.",
+                                    dropped));
   require_surface(faces, points.size());
   orient_outwards(faces, points);
   put_in_order(faces);

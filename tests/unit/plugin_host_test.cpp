@@ -118,7 +118,17 @@ TEST(PluginHost, RefusesATruncatedLibraryAtAnyLength) {
   }
 }
 
-TEST(PluginHost, SaysThatAFileIsNotThere) { EXPECT_CONTAINS(refusal("/nowhere/solver_x.so"), "is not there"); }
+TEST(PluginHost, SaysThatAFileIsNotThere) {
+  EXPECT_CONTAINS(message_of_load<OptionError>(PluginHost(), "/nowhere/solver_x.so"), "is not there");
+}
+
+TEST(PluginHost, TellsTheLoadersOwnReasonOnly) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "solver_text.so") << "no library";
+  const std::string reason = refusal(folder / "solver_text.so");
+  EXPECT_CONTAINS(reason, "file too short");
+  EXPECT_EQ(reason.find("boost"), std::string::npos) << reason;
+}
 
 TEST(PluginHost, ListSurvivesAllBadPluginsTogether) {
   const Environment limit("GEODROME_VET_TIMEOUT", "3");

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
+#include "engine/report/finding_text.hpp"
 #include "engine/report/json.hpp"
 
 namespace geodrome::cli {
@@ -21,7 +22,8 @@ void print(const Input& input) {
   std::cout << input.file.string() << ": " << input.format << ", " << f.rows << (mesh ? " vertices, " : " points, ");
   if (mesh) {
     std::cout << input.triangles.size() << " triangles, " << f.components
-              << (f.components == 1 ? " component, " : " components, ") << f.boundary_loops << " boundary loops, "
+              << (f.components == 1 ? " component, " : " components, ") << f.boundary_loops
+              << (f.boundary_loops == 1 ? " boundary loop, " : " boundary loops, ")
               << (f.manifold ? "manifold, " : "nonmanifold, ")
               << (f.oriented     ? "oriented, "
                   : f.orientable ? "not oriented, "
@@ -29,9 +31,8 @@ void print(const Input& input) {
     if (f.genus) std::cout << "genus " << *f.genus << ", ";
   }
   std::cout << "diagonal " << f.bounding_box_diagonal << "\n";
-  for (const Finding& finding : input.findings) {
-    std::cout << (finding.severity == Finding::Severity::note ? "note: " : "warning: ") << finding.message << "\n";
-  }
+  for (const Finding& finding : input.findings)
+    std::cout << (finding.severity == Finding::Severity::note ? "note: " : "warning: ") << text_of(finding) << "\n";
 }
 
 int run(const Arguments& arguments) {
@@ -40,12 +41,12 @@ int run(const Arguments& arguments) {
     if (!arguments.json)
       print(input);
     else
-      std::cout << Json{{"usable", true}, {"input", to_json(input)}}.dump(2) << "\n";
+      std::cout << text_of(Json{{"usable", true}, {"input", to_json(input)}}) << "\n";
     return 0;
   } catch (const InputError& error) {
     if (!arguments.json) throw;
     const Json what{{"fault", name(error.fault())}, {"message", error.message()}, {"remedy", error.remedy()}};
-    std::cout << Json{{"usable", false}, {"file", arguments.input.string()}, {"error", what}}.dump(2) << "\n";
+    std::cout << text_of(Json{{"usable", false}, {"file", arguments.input.string()}, {"error", what}}) << "\n";
     return exit_status(error);
   }
 }

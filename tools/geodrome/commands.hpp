@@ -2,8 +2,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "geodrome/engine/jobs.hpp"
 
@@ -29,5 +32,25 @@ void add_solver(CLI::App& command, StageChoice& stages);
 void add_run_options(CLI::App& command, RunSettings& settings);
 void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders);
 void add_quiet(CLI::App& command, bool& quiet);
+
+/// Checks of option values. CLI11's own take NaN for a number in any range and a negative whole number for a huge one.
+CLI::Validator number_from_to(double low, double high);
+CLI::Validator whole_number_up_to(std::uint64_t high);
+/// One of the words, of which the value at the same place is taken.
+template <class Value>
+CLI::Option* add_choice(CLI::App& command, const std::string& flag, Value& value,
+                        const std::map<std::string, Value>& values, const std::string& help) {
+  std::vector<std::string> words;
+  std::string standard;
+  for (const auto& [word, meaning] : values) {
+    words.push_back(word);
+    if (meaning == value) standard = word;
+  }
+  const auto set = [&value, values](const std::string& word) { value = values.at(word); };
+  return command.add_option_function<std::string>(flag, set, help)
+      ->check(CLI::IsMember(words))
+      ->type_name("WORD")
+      ->default_str(standard);
+}
 
 }  // namespace geodrome::cli

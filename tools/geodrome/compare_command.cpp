@@ -67,8 +67,8 @@ void print(const std::vector<CompareRow>& rows) {
 
 int run(Arguments arguments) {
   arguments.job.solvers = solvers_of(arguments.stage);
-  Console console(arguments.quiet);
-  const std::vector<CompareRow> rows = run_compare(arguments.job, console);
+  const std::vector<CompareRow> rows =
+      with_console(arguments.quiet, [&](Console& console) { return run_compare(arguments.job, console); });
   Json json = Json::array();
   int status = 0;
   for (const CompareRow& row : rows) {
@@ -76,7 +76,7 @@ int run(Arguments arguments) {
     if (status == 0) status = row.error_status;
   }
   if (arguments.json)
-    std::cout << json.dump(2) << "\n";
+    std::cout << text_of(json) << "\n";
   else
     print(rows);
   return status;
@@ -89,7 +89,7 @@ void add_compare(CLI::App& app, Action& action) {
   CLI::App& command =
       *app.add_subcommand("compare", "Time and results of several solvers, on the same surface and sources");
   add_input(command, arguments->job.input);
-  command.add_option("--stage", arguments->stage, "solver=A,B,...: the first is what the others are compared with")
+  command.add_option("--stage", arguments->stage, "solver=A,B,...: all are compared with the first that can be run")
       ->required()
       ->type_name("LIST");
   command.add_option("--sources", arguments->job.sources, "As for 'distances'")

@@ -30,4 +30,12 @@ class Console final : public Observer {
   bool line_shown_ = false;
 };
 
+/// What a job gives. The console is gone when it returns, and with it the line of progress, so that results can be
+/// printed on the same terminal.
+template <class Job>
+auto with_console(bool quiet, Job&& job) {
+  Console console(quiet);
+  return job(console);
+}
+
 }  // namespace geodrome::cli

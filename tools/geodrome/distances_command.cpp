@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <iostream>
-#include <map>
+#include <limits>
 #include <memory>
 
 #include "commands.hpp"
@@ -16,13 +16,10 @@ struct Arguments {
 };
 
 void add_outputs(CLI::App& command, DistanceJob& job) {
-  const std::map<std::string, ScalarType> scalars{{"float64", ScalarType::float64}, {"float32", ScalarType::float32}};
   command.add_option("-o,--output", job.matrix, "The matrix, rows = sources: .npy, or .csv up to 1e6 entries")
       ->type_name("FILE");
-  command.add_option("--dtype", job.scalar, "Numbers of an .npy: float64 or float32")
-      ->transform(CLI::CheckedTransformer(scalars))
-      ->type_name("TYPE")
-      ->default_str("float64");
+  add_choice<ScalarType>(command, "--dtype", job.scalar,
+                         {{"float64", ScalarType::float64}, {"float32", ScalarType::float32}}, "Numbers of an .npy");
   command.add_option("--nearest", job.nearest, "One search from all sources: CSV of target, distance, source, reach")
       ->type_name("FILE");
   command.add_option("--report", job.report, "Everything about the run, as JSON")->type_name("FILE");
@@ -45,17 +42,12 @@ void add_distances(CLI::App& app, Action& action) {
       ->capture_default_str();
   command.add_option("--targets", job.targets, list)->type_name("LIST")->capture_default_str();
   command.add_option("--max-distance", job.max_distance, "Farther is +inf (counted apart from unreachable)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_from_to(0, std::numeric_limits<double>::infinity()))
       ->type_name("R");
-  const std::map<std::string, QueryRule> rules{{"project", QueryRule::project}};
-  command
-      .add_option("--query", job.query,
-                  "Points off the surface: project (closest surface point, D = max(surface distance, |st|))")
-      ->transform(CLI::CheckedTransformer(rules))
-      ->type_name("RULE")
-      ->default_str("project");
+  add_choice<QueryRule>(command, "--query", job.query, {{"project", QueryRule::project}},
+                        "Points off the surface: project (closest surface point, D = max(surface distance, |st|))");
   command.add_option("--audit", job.audit_share, "Share of the faces on which exactness is audited; 0: none")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(number_from_to(0, 1))
       ->type_name("SHARE")
       ->capture_default_str();
   add_solver(command, job.settings.stages);
@@ -65,9 +57,9 @@ void add_distances(CLI::App& app, Action& action) {
   add_quiet(command, arguments->quiet);
   command.callback([&action, arguments] {
     action = [arguments] {
-      Console console(arguments->quiet);
-      const JobReport report = run_distances(arguments->job, console);
-      std::cout << report.summary << std::flush;
+      const JobReport report =
+          with_console(arguments->quiet, [&](Console& console) { return run_distances(arguments->job, console); });
+      std::cout << report.summary;
       return 0;
     };
   });

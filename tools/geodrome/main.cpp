@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cstdio>
 #include <exception>
+#include <iostream>
+#include <new>
 
 #include "commands.hpp"
 #include "geodrome/engine/boundary.hpp"
@@ -15,8 +20,30 @@ constexpr const char* footer =
     "4 refused (disk, --yes, sample or surface not fit), 5 plugin failure, 130 cancelled.\n"
     "'geodrome COMMAND --help' tells the options of a command.";
 
+/// A standard stream that the caller has closed is replaced by one that cannot be used: the next file that is opened
+/// would take its number, and messages would be written into that file.
+void occupy_standard_streams() {
+  for (int descriptor = 0; descriptor <= 2;) {
+    descriptor = open("/dev/null", O_RDONLY);
+    if (descriptor > 2) close(descriptor);
+    if (descriptor < 0) return;
+  }
+}
+
+/// CLI11 takes a word that is no command for a missing one.
+void demand_known_command(const CLI::App& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == argv[1]) return;
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  throw geodrome::OptionError("there is no command '" + std::string(argv[1]) + "'", "choose one of " + names);
+}
+
 /// CLI11 reports through exceptions and statuses of its own: help and version are 0, every mistake is usage.
 int parse(CLI::App& app, int argc, char** argv) {
+  demand_known_command(app, argc, argv);
   try {
     app.parse(argc, argv);
     return 0;
@@ -35,16 +62,25 @@ int run(int argc, char** argv) {
   for (const auto add : {add_distances, add_surface, add_path, add_check, add_plugins, add_compare, add_shape})
     add(app, action);
   const int status = parse(app, argc, argv);
-  if (status != 0) return status < 0 ? 0 : status;
-  return action();
+  if (status > 0) return status;
+  const int done = status < 0 ? 0 : action();
+  std::cout.flush();
+  if (!std::cout)
+    throw geodrome::InputError(geodrome::InputFault::io, "standard output cannot be written",
+                               "check where it leads; files that were asked for are complete");
+  return done;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  occupy_standard_streams();
   geodrome::install_crash_handlers();
   try {
     return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "geodrome: out of memory; ask for less, or use a machine with more\n");
+    return 1;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "geodrome: %s\n", error.what());
     return geodrome::exit_status(error);

@@ -1,12 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "commands.hpp"
 
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
 namespace geodrome::cli {
 
 namespace {
 
 constexpr const char* sample_group = "Stages for point samples";
 constexpr const char* run_group = "Run";
+
+/// More threads than any machine has; a system that gives fewer is no error.
+constexpr std::uint64_t most_threads = 1'000'000;
+
+/// The whole text as a number, or the reason why it is none.
+template <class Number>
+std::string out_of_range(const std::string& text, Number low, Number high, const std::string& wanted) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool inside = value >= low && value <= high;  // false for NaN
+  if (error == std::errc() && end == text.data() + text.size() && inside) return {};
+  return "'" + text + "' is not " + wanted;
+}
 
 }  // namespace
 
@@ -54,13 +72,34 @@ void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& fold
 void add_run_options(CLI::App& command, RunSettings& settings) {
   add_plugin_path(command, settings.plugin_path);
   command.add_option("--threads", settings.threads, "Threads; 0: one per core. No result depends on it")
+      ->check(whole_number_up_to(most_threads))
       ->capture_default_str()
       ->group(run_group);
-  command.add_option("--seed", settings.seed, "Seed of everything random")->capture_default_str()->group(run_group);
+  command.add_option("--seed", settings.seed, "Seed of everything random")
+      ->check(whole_number_up_to(std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str()
+      ->group(run_group);
 }
 
 void add_quiet(CLI::App& command, bool& quiet) {
   command.add_flag("-q,--quiet", quiet, "Only warnings and errors on standard error")->group(run_group);
+}
+
+CLI::Validator number_from_to(double low, double high) {
+  std::ostringstream wanted;
+  wanted << "a number " << (std::isinf(high) ? ">= " : "from ") << low;
+  if (std::isfinite(high)) wanted << " to " << high;
+  const auto check = [low, high, words = wanted.str()](const std::string& text) {
+    return out_of_range(text, low, high, words);
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator whole_number_up_to(std::uint64_t high) {
+  const auto check = [high](const std::string& text) {
+    return out_of_range(text, std::uint64_t{0}, high, "a whole number from 0 to " + std::to_string(high));
+  };
+  return CLI::Validator(check, "");
 }
 
 }  // namespace geodrome::cli

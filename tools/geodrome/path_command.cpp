@@ -16,8 +16,8 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
-  Console console(arguments.quiet);
-  const PathResult path = run_path(arguments.job, console);
+  const PathResult path =
+      with_console(arguments.quiet, [&](Console& console) { return run_path(arguments.job, console); });
   std::cout.precision(17);
   if (std::isinf(path.distance))
     std::cout << "unreachable (inf): no path\n";

@@ -61,7 +61,7 @@ int list(const Arguments& arguments) {
   const PluginHost host(arguments.plugin_path);
   const PluginListing listing = host.list();
   if (arguments.json)
-    std::cout << to_json(listing).dump(2) << "\n";
+    std::cout << text_of(to_json(listing)) << "\n";
   else
     print(listing);
   return 0;
@@ -87,7 +87,7 @@ int show(const Arguments& arguments) {
   Json json = Json::array();
   for (const PluginInfo& plugin : found) json.push_back(to_json(plugin));
   if (arguments.json)
-    std::cout << json.dump(2) << "\n";
+    std::cout << text_of(json) << "\n";
   else
     std::for_each(found.begin(), found.end(), [](const PluginInfo& plugin) { print(plugin); });
   return 0;

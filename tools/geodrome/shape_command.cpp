@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <iostream>
+#include <limits>
 #include <memory>
 
 #include "commands.hpp"
+#include "engine/run/check_outputs.hpp"
 #include "geodrome/engine/input.hpp"
 #include "tools/shapes/shapes.hpp"
 
@@ -11,6 +13,9 @@ namespace geodrome::cli {
 namespace {
 
 using shapes::Sampling;
+
+/// Points or faces; more than anybody waits for, and few enough for memory and indices.
+constexpr std::uint64_t largest = 100'000'000;
 
 struct Arguments {
   std::string kind;
@@ -21,6 +26,7 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
+  check_outputs({&arguments.out, 1}, {});
   if (arguments.mesh) {
     const SurfaceMesh made = shapes::mesh(arguments.kind, arguments.faces, arguments.spec.seed);
     write_mesh(arguments.out, made);
@@ -52,20 +58,23 @@ void add_shape(CLI::App& app, Action& action) {
   command.add_option("-o,--output", arguments->out, "Points: .xyz, .ply, .off; mesh: .ply, .off, .obj, .stl")
       ->required()
       ->type_name("FILE");
-  const std::map<std::string, Sampling> samplings{
-      {"uniform", Sampling::uniform}, {"blue", Sampling::blue}, {"grid", Sampling::grid}};
-  command.add_option("--points", arguments->spec.points, "How many points")->capture_default_str();
-  command.add_option("--sampling", arguments->spec.sampling, "uniform by area, blue noise, or a grid")
-      ->transform(CLI::CheckedTransformer(samplings))
-      ->type_name("HOW")
-      ->default_str("uniform");
+  command.add_option("--points", arguments->spec.points, "How many points")
+      ->check(whole_number_up_to(largest))
+      ->capture_default_str();
+  add_choice<Sampling>(command, "--sampling", arguments->spec.sampling,
+                       {{"uniform", Sampling::uniform}, {"blue", Sampling::blue}, {"grid", Sampling::grid}},
+                       "uniform by area, blue noise, or a grid");
   command
       .add_option("--noise", arguments->spec.noise, "Standard deviation along the normal, as a share of the diagonal")
-      ->check(CLI::NonNegativeNumber)
+      ->check(number_from_to(0, 1))
       ->capture_default_str();
   command.add_flag("--mesh", arguments->mesh, "A mesh instead of points");
-  command.add_option("--faces", arguments->faces, "About how many faces")->capture_default_str();
-  command.add_option("--seed", arguments->spec.seed, "Seed of everything random")->capture_default_str();
+  command.add_option("--faces", arguments->faces, "About how many faces")
+      ->check(whole_number_up_to(largest))
+      ->capture_default_str();
+  command.add_option("--seed", arguments->spec.seed, "Seed of everything random")
+      ->check(whole_number_up_to(std::numeric_limits<std::uint64_t>::max()))
+      ->capture_default_str();
   command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 

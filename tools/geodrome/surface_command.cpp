@@ -4,6 +4,8 @@
 
 #include "commands.hpp"
 #include "console.hpp"
+#include "engine/run/check_outputs.hpp"
+#include "engine/run/open_input.hpp"
 #include "geodrome/engine/input.hpp"
 #include "geodrome/engine/pipeline.hpp"
 
@@ -18,17 +20,15 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
-  Console console(arguments.quiet);
-  const PluginHost host(arguments.settings.plugin_path);
-  const Input input = read_input(arguments.input, arguments.settings.read);
-  for (const Finding& finding : input.findings)
-    if (finding.severity != Finding::Severity::note) console.log(LogLevel::warning, finding.message);
-  const Surface surface = make_surface(input, host, arguments.settings, console);
-  for (const Finding& finding : surface.findings)
-    console.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning, finding.message);
-  write_mesh(arguments.out, *surface.mesh);
-  std::cout << arguments.out.string() << ": " << surface.mesh->vertex_count() << " vertices, "
-            << surface.mesh->face_count() << " faces, " << (surface.mesh->closed() ? "closed" : "bordered") << "\n";
+  check_ending(arguments.out, {".ply", ".off", ".obj", ".stl"});
+  check_outputs({&arguments.out, 1}, {&arguments.input, 1});
+  const MeshPtr mesh = with_console(arguments.quiet, [&](Console& console) {
+    const PluginHost host(arguments.settings.plugin_path);
+    return open_input(arguments.input, host, arguments.settings, console).surface.mesh;
+  });
+  write_mesh(arguments.out, *mesh);
+  std::cout << arguments.out.string() << ": " << mesh->vertex_count() << " vertices, " << mesh->face_count()
+            << " faces, " << (mesh->closed() ? "closed" : "bordered") << "\n";
   return 0;
 }
 

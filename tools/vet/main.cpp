@@ -65,13 +65,21 @@ std::string what_was_thrown() {
   }
 }
 
+/// What the dynamic loader says. Boost wraps it in its own words and adds an errno that is somebody else's.
+std::string loader_words(const std::string& text) {
+  constexpr std::string_view before = "(dlerror system message: ";
+  const std::size_t begin = text.find(before), end = text.rfind(')');
+  if (begin == std::string::npos || end == std::string::npos || end < begin + before.size()) return text;
+  return text.substr(begin + before.size(), end - begin - before.size());
+}
+
 void vet(const std::filesystem::path& file) {
   boost::dll::shared_library library;
   try {
     using namespace boost::dll::load_mode;
     library.load(std::filesystem::absolute(file), rtld_now | rtld_local);
   } catch (const std::system_error& error) {
-    answer("refused", "cannot be loaded: " + std::string(error.what()));
+    answer("refused", "cannot be loaded: " + loader_words(error.what()));
   } catch (...) {
     answer("refused", "threw while being loaded: " + what_was_thrown());
   }

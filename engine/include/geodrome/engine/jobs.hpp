@@ -52,7 +52,8 @@ struct PathJob {
   std::filesystem::path out;
 };
 
-/// A polyline of surface points from `from` to `to`; empty if unreachable, then `distance` is +inf.
+/// A polyline of surface points from `from` to `to`; empty if unreachable, then `distance` is +inf, and if both are the
+/// same vertex on no face, then it is 0.
 struct PathResult {
   double distance = 0;  ///< max(surface distance, |st|) for a cloud
   double length = 0;    ///< of the polyline
@@ -66,12 +67,12 @@ PathResult run_path(const PathJob& job, Observer& observer);
 struct CompareJob {
   std::filesystem::path input;
   RunSettings settings;
-  std::vector<std::string> solvers;  ///< the first is what the others are compared with
+  std::vector<std::string> solvers;  ///< all are compared with the first that can be run
   std::string sources = "0";
 };
 
-/// Figures of one solver. `error` is empty if it ran; the relative differences are to the first solver, over the
-/// targets that both reach at a distance above 0.
+/// Figures of one solver. `error` is empty if it ran; the relative differences are to the first solver that
+/// ran, over the targets that both reach at a distance above 0.
 struct CompareRow {
   std::string solver, error;
   int error_status = 0;  ///< the exit status that the error stands for

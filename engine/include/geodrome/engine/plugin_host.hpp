@@ -51,7 +51,7 @@ class PluginHost {
   /// that goes before it is among the refused. Throws PluginError if the program geodrome-vet is missing.
   PluginListing list() const;
 
-  /// Vets one file as `list` does. Throws PluginError with the reason if it is refused.
+  /// Vets one file as `list` does. Throws PluginError with the reason if it is refused, OptionError if it is not there.
   PluginInfo inspect(const std::filesystem::path& file) const;
 
   /// Loads the plugin of a stage. `selection` is "name[:key=value,...]"; the name may carry its stage ("solver_cgal"),

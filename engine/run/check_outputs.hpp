@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace geodrome {
+
+/// The files that a run reads: its input and those that selections name as '@FILE'.
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& input,
+                                              std::span<const std::string> selections);
+
+/// Throws OptionError if a file's name, if there is one, has none of the endings.
+void check_ending(const std::filesystem::path& file, std::initializer_list<const char*> endings);
+
+/// Finds mistakes in the names of the files to be written that would otherwise show after all is computed; empty names
+/// are left out. Throws InputError for a folder that is missing or may not be written and for what is no regular file,
+/// OptionError for a file that is also read or named twice, links and relative names seen through.
+void check_outputs(std::span<const std::filesystem::path> outputs, std::span<const std::filesystem::path> read);
+
+}  // namespace geodrome
