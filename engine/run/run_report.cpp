@@ -114,6 +114,32 @@ Json to_json(const AuditSummary& audit) {
           {"seconds", audit.seconds}};
 }
 
+/// Violations beyond this share of the largest distance are no rounding: an exact solver's stay below 1e-11, and a
+/// wavefront that is lost, or a path that is not shortest, shows by far more.
+constexpr double audit_tolerance = 1e-9;
+
+/// What the checks found that may not be, one line each.
+std::vector<std::string> broken_promises(const RunRecord& record) {
+  std::vector<std::string> broken;
+  const auto demand = [&](bool holds, std::string what) {
+    if (!holds) broken.push_back(std::move(what));
+  };
+  if (record.matrix) {
+    const ReachCounts& reach = record.matrix->reach;
+    demand(reach.missed == 0, std::to_string(reach.missed) + " distances within a component are inf");
+    demand(reach.impossible == 0, std::to_string(reach.impossible) + " distances between components are numbers");
+    const Invariants& i = record.matrix->invariants;
+    demand(i.computed.holds(), std::to_string(i.computed.violated) + " distances are nan");
+    demand(i.identity.holds(), std::to_string(i.identity.violated) + " points are not at distance 0 from themselves");
+    demand(i.euclid.holds(), std::to_string(i.euclid.violated) + " distances are shorter than the straight line");
+    demand(i.symmetry.holds(), std::to_string(i.symmetry.violated) + " pairs have two distances");
+    demand(i.triangle.holds(), std::to_string(i.triangle.violated) + " triples break the triangle inequality");
+  }
+  const AuditResult& audit = record.audit.worst;
+  demand(std::max(audit.worst_lipschitz, audit.worst_path) <= audit_tolerance, "the audit failed: " + audit.where);
+  return broken;
+}
+
 Json run_json(const RunRecord& record) {
   const RunSettings& settings = record.job.settings;
   Json json{{"version", version()},
@@ -156,7 +182,7 @@ void summarize_matrix(const std::string& file, const MatrixResult& m, std::ostre
       << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
       << m.reach.not_computed << " not computed\n";
   const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
-  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED: see the report")
+  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED")
       << " (D >= Euclid, D(s,s), symmetry, triangle inequality, reach)\n";
 }
 
@@ -203,6 +229,8 @@ JobReport write_report(const RunRecord& record) {
   if (record.matrix) json["matrix"] = to_json(*record.matrix);
   if (record.nearest) json["nearest"] = to_json(*record.nearest);
   json["audit"] = to_json(record.audit);
+  const std::vector<std::string> broken = broken_promises(record);
+  json["broken_promises"] = broken;
   json["timings"] = {{"read", opened.read_seconds},
                      {"surface", opened.surface_seconds},
                      {"prepare", record.solver.record.seconds},
@@ -210,7 +238,7 @@ JobReport write_report(const RunRecord& record) {
   json["peak_memory_bytes"] = peak_memory_bytes();
   std::ostringstream summary;
   summarize(record, facts, verdict ? &*verdict : nullptr, summary);
-  return {text_of(json), summary.str()};
+  return {text_of(json), summary.str(), broken};
 }
 
 }  // namespace geodrome

@@ -12,20 +12,28 @@ using nlohmann::json;
 
 const std::filesystem::path bad = std::filesystem::path(GEODROME_SHARED_DATA) / "bad";
 
-std::vector<json> entries() {
+/// An entry of the set's table; printed as the file's name.
+struct Entry {
+  json fields;
+  friend void PrintTo(const Entry& entry, std::ostream* out) { *out << entry.fields["file"].get<std::string>(); }
+};
+
+std::vector<Entry> entries() {
   if (!std::filesystem::exists(bad / "expected.json")) return {};
-  return json::parse(read_bytes(bad / "expected.json"));
+  std::vector<Entry> all;
+  for (const json& fields : json::parse(read_bytes(bad / "expected.json"))) all.push_back({fields});
+  return all;
 }
 
 /// One broken or odd file through the program, by the verdict that is expected of it.
-class BadFiles : public ::testing::TestWithParam<json> {
+class BadFiles : public ::testing::TestWithParam<Entry> {
  protected:
-  bool rejected() const { return GetParam()["verdict"] == "reject"; }
-  std::string verdict() const { return GetParam()["verdict"]; }
-  std::string error() const { return GetParam()["error"]; }
-  std::string path() const { return (bad / GetParam()["file"].get<std::string>()).string(); }
+  bool rejected() const { return GetParam().fields["verdict"] == "reject"; }
+  std::string verdict() const { return GetParam().fields["verdict"]; }
+  std::string error() const { return GetParam().fields["error"]; }
+  std::string path() const { return (bad / GetParam().fields["file"].get<std::string>()).string(); }
   /// Told by its content, this one is sound: the set allows that.
-  bool readable_by_content() const { return GetParam()["file"] == "wrong_extension.ply"; }
+  bool readable_by_content() const { return GetParam().fields["file"] == "wrong_extension.ply"; }
 
   TemporaryFolder folder_;
 };
@@ -61,7 +69,7 @@ TEST_P(BadFiles, DistancesAreNumbersOrAnErrorThatNamesTheReason) {
   }
   EXPECT_TRUE(outcome.status == 3 || outcome.status == 4) << outcome.err;
   EXPECT_FALSE(std::filesystem::exists(out));
-  const bool needs_a_manifold = GetParam()["file"] == "duplicate_faces.off";
+  const bool needs_a_manifold = GetParam().fields["file"] == "duplicate_faces.off";
   EXPECT_TRUE(rejected() || verdict() == "accept or reject" || error() == "nonmanifold" || needs_a_manifold)
       << outcome.err;
   if (error() == "nonmanifold" || needs_a_manifold) {
@@ -72,7 +80,7 @@ TEST_P(BadFiles, DistancesAreNumbersOrAnErrorThatNamesTheReason) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, BadFiles, ::testing::ValuesIn(entries()), [](const auto& info) {
-  std::string name = info.param["file"];
+  std::string name = info.param.fields["file"];
   for (char& c : name)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
   return name;

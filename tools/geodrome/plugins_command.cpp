@@ -50,7 +50,7 @@ void print(const PluginInfo& plugin) {
     std::cout << "  option     " << option.name << "=" << option.default_value
               << (option.unit.empty() ? "" : " " + option.unit) << "  (";
     if (option.type == OptionType::integer || option.type == OptionType::number)
-      std::cout << option.minimum << " to " << option.maximum;
+      std::cout << OptionValues::shown(option.minimum) << " to " << OptionValues::shown(option.maximum);
     else
       std::cout << option.choices;
     std::cout << ")  " << option.help << "\n";

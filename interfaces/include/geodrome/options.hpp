@@ -84,6 +84,14 @@ class OptionValues {
   /// All options with their values, in alphabetical order.
   const std::map<std::string, std::string, std::less<>>& all() const noexcept { return values_; }
 
+  /// A bound of an option as a user would write it: 1000000, not 1e+06.
+  static std::string shown(double value) {
+    char buffer[32];
+    const bool plain = value == std::floor(value) && std::abs(value) < 1e15;  // 1000000, not 1e+06
+    const auto format = plain ? std::chars_format::fixed : std::chars_format::general;
+    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format).ptr};
+  }
+
  private:
   static const OptionSpec& find(std::span<const OptionSpec> specs, const std::string& key) {
     std::string valid;
@@ -118,11 +126,6 @@ class OptionValues {
     if (std::isnan(number) || (whole && number != std::floor(number)) || number < spec.minimum || number > spec.maximum)
       throw OptionError(what + (whole ? "a whole number" : "a number") + " from " + shown(spec.minimum) + " to " +
                         shown(spec.maximum));
-  }
-
-  static std::string shown(double value) {
-    char buffer[32];
-    return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
   }
 
   std::map<std::string, std::string, std::less<>> values_;

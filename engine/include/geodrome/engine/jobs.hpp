@@ -35,8 +35,11 @@ struct DistanceJob {
 };
 
 /// The run report as JSON text, and a few lines for people.
+/// `broken_promises` is empty if all checks passed: invariants that the solver's guarantee promises, reach within and
+/// across components, the audit. Outputs are written all the same, for inspection; do not trust them then.
 struct JobReport {
   std::string json, summary;
+  std::vector<std::string> broken_promises;
 };
 
 /// Does the whole job: reads, runs the stages, computes, checks, writes. Files appear whole or not at all, but for
