@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "geodrome/shortest_path_map.hpp"
+#include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/surface.hpp"
 
 namespace geodrome {
@@ -46,15 +46,22 @@ class KeptTargets {
               [](const Entry& a, const Entry& b) { return key(a.first) < key(b.first); });
   }
 
-  /// The kept distance of exactly this point, or null. O(log t).
-  const Distance* find(const SurfacePoint& point) const {
+  /// The kept distance of exactly this point; throws CapabilityError for any other. O(log t).
+  const Distance& at(const SurfacePoint& point) const {
     const auto found = std::lower_bound(entries_.begin(), entries_.end(), point,
                                         [](const Entry& a, const SurfacePoint& b) { return key(a.first) < key(b); });
-    return found != entries_.end() && found->first == point ? &found->second : nullptr;
+    if (found == entries_.end() || found->first != point)
+      throw CapabilityError("only vertices and the targets were kept", "request Keep::map");
+    return found->second;
   }
 
  private:
   std::vector<Entry> entries_;
 };
+
+/// Throws CapabilityError unless the request asked to keep what paths need.
+inline void require_paths(Keep keep) {
+  if (keep != Keep::map) throw CapabilityError("paths were not kept", "request Keep::map");
+}
 
 }  // namespace geodrome

@@ -116,13 +116,12 @@ class CgalSearch final : public Search, private ShortestPathMap {
   Distance at(const SurfacePoint& point) const override {
     require_on_surface(mesh(), point, "the point");
     if (keep_ == Keep::map || mesh().vertex_at(point) != no_index) return distance_at(point);
-    if (const Distance* kept = kept_.find(point)) return *kept;
-    throw CapabilityError("only vertices and the targets were kept", "request Keep::map");
+    return kept_.at(point);
   }
 
   void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const override {
     require_on_surface(mesh(), point, "the point");
-    if (keep_ != Keep::map) throw CapabilityError("paths were not kept", "request Keep::map");
+    require_paths(keep_);
     out.clear();
     const Distance distance = at(point);
     if (distance.reach != Reach::reached) return;
