@@ -14,12 +14,13 @@ namespace {
 constexpr std::size_t random_pairs = 10'000;
 
 /// Largest |psi(s) - psi(s')| / |s s'|.
-double lipschitz_constant(const Input& input, const Surface& surface, std::uint64_t seed) {
+double lipschitz_constant(const Surface& surface, std::uint64_t seed) {
   const std::vector<double>& psi = surface.sample->control.psi;
+  const std::vector<Vec3>& points = surface.sample->smoothed.points;
   double worst = 0;
   const auto add = [&](std::size_t i, std::size_t j) {
     if (i == j || std::isnan(psi[i]) || std::isnan(psi[j])) return;
-    worst = std::max(worst, std::abs(psi[i] - psi[j]) / distance(input.positions[i], input.positions[j]));
+    worst = std::max(worst, std::abs(psi[i] - psi[j]) / distance(points[i], points[j]));
   };
   const auto& sample_of = surface.sample->sample_of_vertex;
   for (const Triangle& t : surface.mesh->triangles())
@@ -36,15 +37,16 @@ double lipschitz_constant(const Input& input, const Surface& surface, std::uint6
 }
 
 /// Largest |s s'| / min(psi(s), psi(s')) over the surface's edges (Lemma 9).
-double edge_to_psi(const Input& input, const Surface& surface) {
+double edge_to_psi(const Surface& surface) {
   const std::vector<double>& psi = surface.sample->control.psi;
+  const std::vector<Vec3>& points = surface.sample->smoothed.points;
   const auto& sample_of = surface.sample->sample_of_vertex;
   double worst = 0;
   for (const Triangle& t : surface.mesh->triangles())
     for (int i = 0; i < 3; ++i) {
       const Index a = sample_of[t[i]], b = sample_of[t[(i + 1) % 3]];
       if (a == no_index || b == no_index) continue;
-      worst = std::max(worst, distance(input.positions[a], input.positions[b]) / std::min(psi[a], psi[b]));
+      worst = std::max(worst, distance(points[a], points[b]) / std::min(psi[a], psi[b]));
     }
   return worst;
 }
@@ -88,9 +90,9 @@ GuaranteeVerdict judge(const Input& input, const Surface& surface, const Surface
                        std::uint64_t seed) {
   GuaranteeVerdict verdict;
   std::vector<Claim>& claims = verdict.claims;
-  claims.push_back(at_most("psi is 1/18-Lipschitz", "Lemma 5", lipschitz_constant(input, surface, seed), 1.0 / 18));
+  claims.push_back(at_most("psi is 1/18-Lipschitz", "Lemma 5", lipschitz_constant(surface, seed), 1.0 / 18));
   add_lemma_6(surface, claims);
-  claims.push_back(at_most("edge length over psi <= 4.112", "Lemma 9", edge_to_psi(input, surface), 4.112));
+  claims.push_back(at_most("edge length over psi <= 4.112", "Lemma 9", edge_to_psi(surface), 4.112));
   claims.push_back(at_most("degree <= 3925", "Lemma 12", static_cast<double>(facts.largest_degree), 3925));
   claims.push_back(at_most("edge ratio of a face <= 6", "Lemma 14", facts.largest_edge_ratio, 6));
   claims.push_back(at_least("smallest angle >= pi/20", "Lemma 15", facts.smallest_angle, std::numbers::pi / 20));

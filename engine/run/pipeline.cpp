@@ -75,6 +75,14 @@ Surface surface_of_mesh(const Input& input) {
   return surface;
 }
 
+/// What stages 2 to 4 work on: the sample as stage 1 left it.
+PointSample smoothed(const PointSample& sample, const Tangents& tangents) {
+  PointSample result = sample;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (tangents.state[i] != PointState::dropped) result.points[i] = tangents.plane[i].origin;
+  return result;
+}
+
 /// Stages 1 to 3.
 SampleStages run_sample_stages(const PointSample& sample, const PluginHost& host, const RunSettings& settings,
                                Observer& observer, std::vector<StageRecord>& records) {
@@ -87,16 +95,17 @@ SampleStages run_sample_stages(const PointSample& sample, const PluginHost& host
                                     check(tangents, n, plugin);
                                     return tangents;
                                   });
+  made.smoothed = smoothed(sample, made.tangents);
   made.control =
       run_stage<ControlFunction>(settings.stages.control, host, settings, observer, records,
                                  [&](const ControlFunction& stage, RunContext& context, const PluginInfo& plugin) {
-                                   Control control = stage.evaluate(sample, made.tangents, context);
+                                   Control control = stage.evaluate(made.smoothed, made.tangents, context);
                                    check(control, n, plugin);
                                    return control;
                                  });
   made.kept = run_stage<Decimator>(settings.stages.decimator, host, settings, observer, records,
                                    [&](const Decimator& stage, RunContext& context, const PluginInfo& plugin) {
-                                     std::vector<Index> kept = stage.select(sample, made.control, context);
+                                     std::vector<Index> kept = stage.select(made.smoothed, made.control, context);
                                      check(kept, n, plugin);
                                      return kept;
                                    });
@@ -127,7 +136,8 @@ Surface surface_of_points(const Input& input, const PluginHost& host, const RunS
   Reconstruction made = run_stage<SurfaceReconstructor>(
       settings.stages.reconstructor, host, settings, observer, surface.stages,
       [&](const SurfaceReconstructor& stage, RunContext& context, const PluginInfo& plugin) {
-        Reconstruction result = stage.reconstruct(sample, stages.tangents, stages.control, stages.kept, context);
+        Reconstruction result =
+            stage.reconstruct(stages.smoothed, stages.tangents, stages.control, stages.kept, context);
         check(result, sample.size(), plugin);
         return result;
       });

@@ -21,7 +21,7 @@ class GEODROME_VISIBLE ControlFunction {
   static constexpr const char* stage = "control";
   virtual ~ControlFunction() = default;
 
-  /// `tangents` has one entry per point of `sample`. Thread-safe.
+  /// `sample` holds the origins of `tangents`, one per point. Thread-safe.
   virtual Control evaluate(const PointSample& sample, const Tangents& tangents, RunContext& context) const = 0;
 };
 

@@ -5,6 +5,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
+
+#include "geodrome/finding.hpp"
 
 // Exceptions cross the border between a plugin and the engine, so their type information must be visible on both sides.
 #if defined(__GNUC__)
@@ -74,9 +77,16 @@ class GEODROME_VISIBLE CapabilityError : public Error {
   using Error::Error;
 };
 
-/// The sample, or the surface made from it, is not fit: too sparse, no 2-manifold, too noisy.
+/// The sample, or the surface made from it, is not fit: too sparse, no 2-manifold, too noisy. `findings` say where, for
+/// the sample report; their elements are sample points.
 class GEODROME_VISIBLE SampleError : public Error {
-  using Error::Error;
+ public:
+  explicit SampleError(std::string message, std::string remedy = {}, std::vector<Finding> findings = {})
+      : Error(std::move(message), std::move(remedy)), findings_(std::move(findings)) {}
+  const std::vector<Finding>& findings() const noexcept { return findings_; }
+
+ private:
+  std::vector<Finding> findings_;
 };
 
 /// The engine declines a job that could be done but should not be: not enough disk, too large without consent.

@@ -41,7 +41,7 @@ class GEODROME_VISIBLE SurfaceReconstructor {
   static constexpr const char* stage = "reconstructor";
   virtual ~SurfaceReconstructor() = default;
 
-  /// `kept`: ascending indices into `sample`. The mesh is a 2-manifold, closed or bordered, oriented; where none can be
+  /// `sample` holds the origins of `tangents`; `kept`: ascending indices into it. The mesh is a 2-manifold, closed or bordered, oriented; where none can be
   /// had SampleError gives the reasons: nothing wrong is returned quietly. Thread-safe.
   virtual Reconstruction reconstruct(const PointSample& sample, const Tangents& tangents, const Control& control,
                                      std::span<const Index> kept, RunContext& context) const = 0;

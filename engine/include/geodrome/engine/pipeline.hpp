@@ -55,6 +55,7 @@ struct Place {
 /// The sample stages' results, kept for the report; empty for a mesh as input.
 struct SampleStages {
   Tangents tangents;
+  PointSample smoothed;  ///< the origins of the tangent planes: what stages 2 to 4 worked on
   Control control;
   std::vector<Index> kept, sample_of_vertex;
 };
