@@ -86,8 +86,7 @@ SampleFacts facts_of(const SampleStages& stages) {
   return facts;
 }
 
-GuaranteeVerdict judge(const Input& input, const Surface& surface, const SurfaceFacts& facts, double factor,
-                       std::uint64_t seed) {
+GuaranteeVerdict judge(const Surface& surface, const SurfaceFacts& facts, double factor, std::uint64_t seed) {
   GuaranteeVerdict verdict;
   std::vector<Claim>& claims = verdict.claims;
   claims.push_back(at_most("psi is 1/18-Lipschitz", "Lemma 5", lipschitz_constant(surface, seed), 1.0 / 18));

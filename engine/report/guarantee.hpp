@@ -33,7 +33,6 @@ SampleFacts facts_of(const SampleStages& stages);
 
 /// Measures the paper's constants on a surface made from points. Lipschitz pairs are the surface's edges and 10,000
 /// seeded random pairs. `factor` is the solver's. O(n log n).
-GuaranteeVerdict judge(const Input& input, const Surface& surface, const SurfaceFacts& facts, double factor,
-                       std::uint64_t seed);
+GuaranteeVerdict judge(const Surface& surface, const SurfaceFacts& facts, double factor, std::uint64_t seed);
 
 }  // namespace geodrome

@@ -222,7 +222,7 @@ JobReport write_report(const RunRecord& record) {
   std::optional<GuaranteeVerdict> verdict;
   if (opened.surface.sample) {
     json["sample"] = to_json(facts_of(*opened.surface.sample));
-    verdict = judge(opened.input, opened.surface, facts, record.solver.plugin.factor, record.job.settings.seed);
+    verdict = judge(opened.surface, facts, record.solver.plugin.factor, record.job.settings.seed);
     json["guarantee_of_the_paper"] = to_json(*verdict);
   }
   json["solver_factor"] = to_json(record.solver.plugin.factor);
