@@ -9,7 +9,7 @@
 #include "plugins/common/maximum_tree.hpp"
 #include "plugins/common/parallel_for.hpp"
 #include "plugins/common/spatial_order.hpp"
-#include "plugins/control_lipschitz/cell_radius.hpp"
+#include "plugins/common/cell_radius.hpp"
 
 namespace geodrome {
 namespace {

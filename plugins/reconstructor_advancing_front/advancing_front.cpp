@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "plugins/reconstructor_advancing_front/manifold_faces.hpp"
-#include "plugins/reconstructor_advancing_front/triangulate.hpp"
+#include "plugins/common/manifold_faces.hpp"
+#include "plugins/reconstructor_advancing_front/front_triangles.hpp"
 
 namespace geodrome {
 namespace {

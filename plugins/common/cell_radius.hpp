@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "plugins/common/neighbours.hpp"
-#include "plugins/control_lipschitz/planar_cell.hpp"
+#include "plugins/common/planar_cell.hpp"
 
 namespace geodrome {
 

@@ -1,5 +1,5 @@
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "plugins/reconstructor_advancing_front/manifold_faces.hpp"
+// SPDX-License-Identifier: MIT
+#include "plugins/common/manifold_faces.hpp"
 
 #include <algorithm>
 #include <set>

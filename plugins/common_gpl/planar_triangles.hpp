@@ -40,7 +40,4 @@ std::optional<PlaneFrame> common_plane(std::span<const Vec3> points);
 /// The Delaunay triangles in the plane that the rule allows, oriented with the frame; `cut` counts those it does not.
 std::vector<Triangle> planar_triangles(const PlaneFrame& frame, const FaceRule& rule, std::size_t& cut);
 
-/// The faces of the advancing front that never takes a triangle that the rule does not allow.
-std::vector<Triangle> front_triangles(const FaceRule& rule);
-
 }  // namespace geodrome

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/control_lipschitz/cell_radius.hpp"
+#include "plugins/common/cell_radius.hpp"
 
 #include <algorithm>
 #include <cmath>
