@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+#include "geodrome/engine/pipeline.hpp"
+
+/// The subcommands of `geodrome-bench`, each in a file of its own.
+namespace geodrome::bench {
+
+/// What the chosen subcommand does after parsing.
+using Action = std::function<void()>;
+
+void add_solvers(CLI::App& app, Action& action);
+void add_samples(CLI::App& app, Action& action);
+
+/// Plugins of stages 1 to 4, --plugin-path and --threads (default 1: figures of one thread), declared once.
+void add_stages(CLI::App& command, RunSettings& settings);
+
+}  // namespace geodrome::bench
