@@ -30,6 +30,10 @@ void print_gap(std::ostream& out, const MeshPtr& reference, const MeshPtr& made,
   out << text;
 }
 
+bool same_topology(const SurfaceFacts& a, const SurfaceFacts& b) {
+  return a.components == b.components && a.boundary_loops == b.boundary_loops && a.genus == b.genus;
+}
+
 void print_file(std::ostream& out, const std::filesystem::path& file, const PluginHost& host,
                 const RunSettings& settings) {
   const MeshPtr reference = reference_of(file, settings.read);
@@ -40,12 +44,17 @@ void print_file(std::ostream& out, const std::filesystem::path& file, const Plug
   char text[120];
   std::snprintf(text, sizeof text, ": %zu points, %.3f s\n", input.positions.size(), result.seconds);
   out << file.filename().string() << text;
-  if (reference) out << "    file:   " << text_of(facts_of(*reference)) << '\n';
+  const SurfaceFacts wanted = reference ? facts_of(*reference) : SurfaceFacts{};
+  if (reference) out << "    file:   " << text_of(wanted) << '\n';
   if (!result.surface) {
     out << (result.outcome == Outcome::refused ? "    refused: " : "    failed: ") << result.reason << '\n';
     return;
   }
-  out << "    result: " << text_of(*result.facts) << ", " << result.facts->vertices << " vertices\n";
+  out << "    result: " << text_of(*result.facts) << ", " << result.facts->vertices << " vertices"
+      << (!reference                             ? ""
+          : same_topology(wanted, *result.facts) ? ": as the file"
+                                                 : ": not as the file")
+      << '\n';
   if (reference) print_gap(out, reference, result.surface->mesh, settings.seed);
 }
 
