@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plugins/common/manifold_faces.hpp"
+#include "plugins/common/surface_inserter.hpp"
 #include "plugins/reconstructor_advancing_front/front_triangles.hpp"
 
 namespace geodrome {
@@ -129,6 +130,7 @@ Reconstruction AdvancingFront::reconstruct(const PointSample& sample, const Tang
   put_in_order(faces);
   build_mesh(result, std::move(faces), points, kept);
   judge(result, boundary_);
+  result.inserter = make_inserter(result.mesh, result.sample_of_vertex, sample);
   return result;
 }
 

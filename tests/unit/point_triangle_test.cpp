@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/run/point_triangle.hpp"
+#include "geodrome/detail/point_triangle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,8 @@
 
 namespace geodrome {
 namespace {
+
+using detail::closest_on_triangle, detail::TrianglePoint;
 
 using Corners = std::array<Vec3, 3>;
 

@@ -6,10 +6,12 @@
 #include <cmath>
 #include <random>
 
-#include "engine/run/point_triangle.hpp"
+#include "geodrome/detail/point_triangle.hpp"
 
 namespace geodrome {
 namespace {
+
+using detail::closest_on_triangle, detail::TrianglePoint;
 
 double uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
 Vec3 random_point(std::mt19937_64& random) { return {uniform(random), uniform(random), uniform(random)}; }
