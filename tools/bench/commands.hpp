@@ -14,6 +14,7 @@ using Action = std::function<void()>;
 
 void add_solvers(CLI::App& app, Action& action);
 void add_samples(CLI::App& app, Action& action);
+void add_accuracy(CLI::App& app, Action& action);
 
 /// Plugins of stages 1 to 4, --plugin-path and --threads (default 1: figures of one thread), declared once.
 void add_stages(CLI::App& command, RunSettings& settings);

@@ -10,7 +10,8 @@ int main(int argc, char** argv) {
   CLI::App app("Measures Geodrome's plugins.", "geodrome-bench");
   app.require_subcommand(1);
   geodrome::bench::Action action;
-  for (const auto add : {geodrome::bench::add_solvers, geodrome::bench::add_samples}) add(app, action);
+  using namespace geodrome::bench;
+  for (const auto add : {add_solvers, add_samples, add_accuracy}) add(app, action);
   CLI11_PARSE(app, argc, argv);
   try {
     action();

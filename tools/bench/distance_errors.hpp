@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace geodrome::bench {
+
+/// Relative errors of distances, by how far apart the points truly are. A mean over no pair is 0.
+struct DistanceErrors {
+  struct Group {
+    std::size_t pairs = 0, over_pairs = 0, under_pairs = 0;
+    double mean = 0;                       ///< of |error|, over all pairs
+    double mean_over = 0, mean_under = 0;  ///< over the pairs that are too long, and those too short, both positive
+    double largest_over = 0, largest_under = 0;
+  };
+  Group far;   ///< at least a quarter of the largest true distance apart
+  Group near;  ///< less than a twentieth of it, and above 0
+};
+
+/// Compares rows of computed distances with the true ones. Precondition: the same shape; computed ones are finite or
+/// count as errors of their own size (+inf).
+DistanceErrors distance_errors(std::span<const std::vector<double>> truth,
+                               std::span<const std::vector<double>> computed);
+
+}  // namespace geodrome::bench
