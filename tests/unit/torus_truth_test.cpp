@@ -78,7 +78,7 @@ TEST(TorusTruth, TheOuterEquatorIsShortestUpToItsConjugatePointAndNotBeyond) {
 }
 
 TEST(TorusTruth, IsSymmetricAndKeepsTheTriangleInequality) {
-  const std::vector<TorusPoint> points = sampled(6, 7);
+  const std::vector<TorusPoint> points = sampled(4, 7);
   std::vector<std::vector<double>> d;
   for (const TorusPoint& source : points) d.push_back(torus_distances(source, points));
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -89,9 +89,9 @@ TEST(TorusTruth, IsSymmetricAndKeepsTheTriangleInequality) {
 }
 
 TEST(TorusTruth, FinerRaysAndStepsChangeLessThanPromised) {
-  const std::vector<TorusPoint> points = sampled(500, 3);
+  const std::vector<TorusPoint> points = sampled(2000, 3);
   const std::vector<double> usual = torus_distances(points[0], points);
-  const std::vector<double> finer = torus_distances(points[0], points, {.rays = 24000, .step = 0.006});
+  const std::vector<double> finer = torus_distances(points[0], points, {.rays = 20000, .step = 0.01});
   for (std::size_t i = 0; i < points.size(); ++i) EXPECT_NEAR(usual[i], finer[i], promised);
 }
 
@@ -99,7 +99,7 @@ TEST(TorusTruth, FinerRaysAndStepsChangeLessThanPromised) {
 TEST(TorusTruth, NoPathOfAFineGraphIsShorter) {
   constexpr double lattice_error = 1.5e-2;  // what few directions cost; measured: 1.2e-2
   const test::TorusGraph graph(240, 100, 5);
-  for (const std::size_t row : {0, 37, 50}) {
+  for (const std::size_t row : {0, 37}) {
     const Compared found = compare_with_graph(graph, row);
     EXPECT_LE(found.shorter_than_truth, promised) << row;
     EXPECT_LE(found.longer_than_truth, lattice_error) << row;

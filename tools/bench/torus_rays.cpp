@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "tools/bench/torus_truth.hpp"
 
@@ -62,7 +61,8 @@ struct Basis {
 
 }  // namespace
 
-std::vector<RayNode> shoot(double v, double theta, double step, double length, double end) {
+std::vector<RayNode> shoot(double v, double theta, double step, double length,
+                           const std::function<bool(const RayNode&, double)>& stop) {
   const double w = torus_ring + torus_tube * std::cos(v), sine = std::sin(theta), cosine = std::cos(theta);
   const Clairaut ray{w * sine, w * cosine};
   State y{0, v, cosine / torus_tube, 0, 0, -sine / torus_tube};
@@ -70,7 +70,8 @@ std::vector<RayNode> shoot(double v, double theta, double step, double length, d
   for (std::size_t i = 0;; ++i) {
     const State d = derivative(y, ray);
     nodes.push_back({y[0], y[1], d[0], d[1], y[3], y[4], d[3], d[4]});
-    if (i > 0 && (static_cast<double>(i) * step >= length || y[0] > end)) return nodes;
+    const double s = static_cast<double>(i) * step;
+    if (i > 0 && (s >= length || (stop && stop(nodes.back(), s)))) return nodes;
     y = runge_kutta(y, d, step, ray);
   }
 }
@@ -83,8 +84,7 @@ double direct_length(double v, double u_target, double v_target) {
   for (int round = 0; round < most_rounds; ++round) {
     const double length = std::hypot(x, y);
     if (length == 0) return 0;
-    const RayNode end =
-        shoot(v, std::atan2(x, y), length / steps, length, std::numeric_limits<double>::infinity()).back();
+    const RayNode end = shoot(v, std::atan2(x, y), length / steps, length).back();
     const double dx = w * (u_target - end.u), dy = torus_tube * (v_target - end.v);
     x += dx, y += dy;
     if (std::hypot(dx, dy) < rounding) break;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <functional>
 #include <vector>
 
 /// Geodesics on the torus of torus_truth.hpp, and the map between two of them.
@@ -15,8 +16,9 @@ struct RayNode {
 };
 
 /// The geodesic that leaves (0, v) at angle theta from the direction of growing v, towards growing u (0 <= theta <=
-/// pi), at lengths 0, step, 2 step, ... up to `length` or until u passes `end`; at least two nodes.
-std::vector<RayNode> shoot(double v, double theta, double step, double length, double end);
+/// pi), at lengths 0, step, 2 step, ... up to `length`, or until `stop(node, s)`; at least two nodes.
+std::vector<RayNode> shoot(double v, double theta, double step, double length,
+                           const std::function<bool(const RayNode&, double)>& stop = {});
 
 /// The length of the geodesic from (0, v) to a target at most 0.1 away: Newton's method in normal coordinates, with the
 /// derivative at the start, where the map of polar coordinates is singular.

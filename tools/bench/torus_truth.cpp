@@ -133,7 +133,6 @@ Vec3 torus_position(const TorusPoint& p) {
 
 std::vector<double> torus_distances(const TorusPoint& source, std::span<const TorusPoint> targets,
                                     const ShootingOptions& options) {
-  constexpr double slack = 0.2;  // so that rays which end earlier than their neighbours leave no gap before u = pi
   const TargetBins bins(source, targets);
   const std::size_t half = options.rays / 2;
   Search search{bins, pi / static_cast<double>(half), options.step, {}, std::vector<double>(targets.size(), infinity)};
@@ -143,8 +142,14 @@ std::vector<double> torus_distances(const TorusPoint& source, std::span<const To
     longest = std::max(longest, search.bound.back());
   }
   search.find_near(source.v);
+  // A geodesic that is longer than another path to where it has come is not shortest there, nor beyond. The slack is
+  // for targets between it and its neighbours, which may be shortest a little further.
+  constexpr double slack = 0.1;
+  const auto stop = [&](const RayNode& node, double s) {
+    return node.u > pi + slack || s > upper_bound(source.v, {node.u, node.v}) + slack;
+  };
   const auto ray = [&](std::size_t k) {
-    return shoot(source.v, search.angle * static_cast<double>(k), options.step, longest + 2 * options.step, pi + slack);
+    return shoot(source.v, search.angle * static_cast<double>(k), options.step, longest + 2 * options.step, stop);
   };
   std::vector<RayNode> left = ray(0);
   for (std::size_t k = 1; k <= half; ++k) {

@@ -26,13 +26,13 @@ Vec3 torus_position(const TorusPoint& p);
 
 struct ShootingOptions {
   std::size_t rays = 16384;  ///< all around; they spread by a factor of 50 along the inner equator
-  double step = 0.01;        ///< arc length of one Runge-Kutta step
+  double step = 0.02;        ///< arc length of one Runge-Kutta step
 };
 
 /// Geodesic distances from `source` to the targets, by shooting: geodesics start in all directions (RK4 with Clairaut's
 /// integral w^2 u' = c, and with their derivatives by the starting angle: Jacobi fields); between neighbouring rays
 /// and steps the exponential map is interpolated (bicubic Hermite), and inverted at every target inside, on every
-/// branch; the least length counts. Error below 1e-7 (units of the torus; measured: 6e-10). Throws
+/// branch; the least length counts. Error below 1e-7 (units of the torus; measured: 1e-8). Throws
 /// NumericalError if no geodesic is found to a target. O(rays / step + targets); thread-safe.
 std::vector<double> torus_distances(const TorusPoint& source, std::span<const TorusPoint> targets,
                                     const ShootingOptions& options = {});
