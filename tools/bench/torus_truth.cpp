@@ -80,6 +80,10 @@ class TargetBins {
   std::vector<TorusPoint> points_;
 };
 
+/// A target that a path of so many steps reaches is at least half as many away (bounds are within a factor of 2 of
+/// short distances), beyond the first two steps.
+constexpr double near_steps = 5;
+
 /// The least lengths found so far, and what bounds them.
 struct Search {
   const TargetBins& bins;
@@ -92,14 +96,15 @@ struct Search {
     for (Index t = 0; t < bins.size(); ++t) {
       const TorusPoint& target = bins.point(t);
       const double v = source_v + std::remainder(target.v - source_v, 2 * pi);
-      if (bound[t] < 5 * step) best[t] = direct_length(source_v, target.u, v);
+      if (bound[t] < near_steps * step) best[t] = direct_length(source_v, target.u, v);
     }
   }
 
   /// All targets between two neighbouring rays.
   void sweep(const std::vector<RayNode>& left, const std::vector<RayNode>& right) {
     const std::size_t steps = std::min(left.size(), right.size()) - 1;
-    for (std::size_t i = 2; i < steps; ++i) visit_cell(left[i], left[i + 1], right[i], right[i + 1], i);
+    for (std::size_t i = 2; i < steps; ++i)  // the narrow ones of the first two steps hold none that is left
+      visit_cell(left[i], left[i + 1], right[i], right[i + 1], i);
   }
 
   void visit_cell(const RayNode& a, const RayNode& b, const RayNode& c, const RayNode& d, std::size_t i) {
