@@ -73,6 +73,7 @@ class Checker {
     for (InvariantCheck* check : {&result.identity, &result.euclid, &result.symmetry, &result.triangle})
       check->tolerance = tolerance;
     result.symmetry.expected = result.triangle.expected = std::isfinite(options.factor) && options.one_surface;
+    result.euclid.expected = options.bounded;
     factor_ = std::isfinite(options.factor) ? options.factor : 1;
   }
 

@@ -25,6 +25,7 @@ struct MatrixView {
 struct InvariantOptions {
   double factor = 1;        ///< the solver's guarantee; +inf: symmetry and the triangle inequality are not expected
   bool one_surface = true;  ///< false if the surface changes with the source: they are not expected either
+  bool bounded = true;      ///< false if nothing keeps distances from being below the straight line
   bool float32 = false;     ///< how the entries are stored
   double radius = std::numeric_limits<double>::infinity();  ///< the cut-off beyond which entries are +inf
   std::uint64_t entries = std::uint64_t{1} << 22;           ///< sampled rows hold at most so many (at least 3 rows)

@@ -5,6 +5,7 @@
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
 #include "engine/run/check_outputs.hpp"
+#include "engine/run/query_rule.hpp"
 #include "engine/run/run_report.hpp"
 #include "engine/run/stage_context.hpp"
 #include "geodrome/engine/version.hpp"
@@ -42,7 +43,7 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   json["weld"] = read.weld, json["drop_nonfinite"] = read.drop_nonfinite;
   for (const StageRecord& stage : opened.surface.stages) json[stage.plugin.stage] = chosen(stage);
   json["solver"] = chosen(solver.record);
-  json["query"] = "project", json["max_distance"] = to_json(job.max_distance);
+  json["query"] = name(job.query), json["max_distance"] = to_json(job.max_distance);
   json["sources"] = digest(sources), json["targets"] = digest(targets);
   json["dtype"] = job.scalar == ScalarType::float64 ? "float64" : "float32";
   json["seed"] = job.settings.seed;
@@ -53,6 +54,10 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
 void check_job(const DistanceJob& job) {
   if (job.matrix.empty() && job.nearest.empty())
     throw OptionError("nothing to write", "name an output: -o FILE or --nearest FILE");
+  if (!job.nearest.empty() && job.query != QueryRule::project)
+    throw OptionError("--nearest searches one surface from all sources, --query " + std::string(name(job.query)) +
+                          " has one for each of them",
+                      "leave --query out");
   if (!(job.max_distance >= 0)) throw OptionError("the largest distance must be a number >= 0");
   if (!(job.audit_share >= 0 && job.audit_share <= 1)) throw OptionError("the audit's share must be from 0 to 1");
   if (job.resume && job.matrix.empty()) throw OptionError("--resume goes on with a matrix", "name it with -o FILE");
@@ -73,10 +78,13 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   const PluginHost host(job.settings.plugin_path);
   const Opened opened = open_input(job.input, host, job.settings, observer);
   const std::vector<Query> sources = select(job.sources, opened.input, opened.surface);
-  const TargetList targets(select(job.targets, opened.input, opened.surface), opened.surface);
+  check_query(job.query, opened, sources);
+  const SourceSurfaces surfaces(job.query, opened, select(job.targets, opened.input, opened.surface));
+  const TargetList& targets = surfaces.targets();
   const PreparedSolver solver =
       prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
-  check_provides(solver, sources, targets.queries(), job.max_distance);
+  const bool are_vertices = job.query != QueryRule::project;
+  check_provides(solver, are_vertices ? std::span<const Query>{} : sources, targets.queries(), job.max_distance);
 
   RunRecord record{job, opened, solver, sources.size(), targets.queries().size()};
   if (!job.nearest.empty()) {
@@ -84,10 +92,10 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
     record.nearest = find_nearest(solver, sources, targets, job.max_distance, context);
   }
   if (!job.matrix.empty())
-    record.matrix = compute_matrix(job, solver, opened.surface, sources, targets,
+    record.matrix = compute_matrix(job, solver, surfaces, sources,
                                    fingerprint(job, opened, solver, sources, targets.queries()), observer);
   StageContext context("audit", observer, 1, job.settings.seed);
-  record.audit = audit_sources(solver, opened.surface, sources, job.audit_share, job.settings.seed, context);
+  record.audit = audit_sources(solver, surfaces, sources, job.audit_share, job.settings.seed, context);
   record.total_seconds = total.seconds();
 
   if (record.nearest) write_atomically(job.nearest, record.nearest->csv);

@@ -2,6 +2,7 @@
 #include "engine/run/distance_matrix.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdio>
 #include <mutex>
@@ -57,23 +58,40 @@ class CounterSum {
 /// The computation of single rows, the same for the first and for all others.
 class RowMaker {
  public:
-  RowMaker(const DistanceJob& job, const PreparedSolver& solver, std::span<const Query> sources,
-           const TargetList& targets, Observer& observer)
+  RowMaker(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
+           std::span<const Query> sources, Observer& observer)
       : job_(job),
         solver_(solver),
+        surfaces_(surfaces),
         sources_(sources),
-        targets_(targets),
         quiet_(observer),
         context_(ShortestPathSolver::stage, quiet_, 1, job.settings.seed) {}
 
+  /// `search`: on the reconstruction.
   void make(Search& search, std::uint64_t i, std::span<double> row) {
-    const auto counters = distance_row(solver_, search, sources_[i], targets_, job_.max_distance, context_, row);
-    if (!counters.empty()) counters_.add(solver_, counters);
+    const SourceSurface on = surfaces_.of(sources_[i]);
+    if (sources_[i].place.state == Place::State::on_surface) ++insertions_[static_cast<std::size_t>(on.how)];
+    if (on.mesh == surfaces_.reconstruction()) return measure(solver_, search, on, row);
+    const PreparedSolver own = prepared_on(solver_, on.mesh, context_);
+    measure(own, *make_search(own), on, row);
   }
 
   std::map<std::string, std::uint64_t> counters() const { return counters_.sums(); }
 
+  std::map<std::string, std::uint64_t> insertions() const {
+    if (surfaces_.rule() == QueryRule::project) return {};
+    constexpr const char* names[] = {"existing", "cavity", "partial", "extended"};  // as Insertion
+    std::map<std::string, std::uint64_t> counts;
+    for (std::size_t how = 0; how < insertions_.size(); ++how) counts[names[how]] = insertions_[how];
+    return counts;
+  }
+
  private:
+  void measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row) {
+    const auto counters = distance_row(solver, search, on.source, *on.targets, job_.max_distance, context_, row);
+    if (!counters.empty()) counters_.add(solver_, counters);
+  }
+
   /// Progress is told per row, not within one.
   class WithoutProgress final : public Observer {
    public:
@@ -87,11 +105,12 @@ class RowMaker {
 
   const DistanceJob& job_;
   const PreparedSolver& solver_;
+  const SourceSurfaces& surfaces_;
   std::span<const Query> sources_;
-  const TargetList& targets_;
   WithoutProgress quiet_;
   StageContext context_;
   CounterSum counters_;
+  std::array<std::atomic<std::uint64_t>, 4> insertions_{};
 };
 
 void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t missing, double row_seconds,
@@ -154,31 +173,46 @@ Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver
   const MatrixView view{row_ids,       column_ids, row_points,
                         column_points, starts,     [&](std::uint64_t row) { return file.read(row); }};
   return check_invariants(view, {.factor = solver.plugin.factor,
+                                 .one_surface = job.query == QueryRule::project,
+                                 .bounded = job.query != QueryRule::printed,
                                  .float32 = job.scalar == ScalarType::float32,
                                  .radius = job.max_distance,
                                  .seed = job.settings.seed});
 }
 
 /// Reads the whole matrix once more, as it stands on disk, resumed rows included.
-ReachCounts count_reaches(const DistanceJob& job, const Surface& surface, const MatrixFile& file,
-                          std::span<const Query> sources, std::span<const Query> targets) {
-  const std::vector<Index> of_source = components_of(*surface.mesh, sources),
-                           of_target = components_of(*surface.mesh, targets);
+ReachCounts count_reaches(const DistanceJob& job, const SourceSurfaces& surfaces, const MatrixFile& file,
+                          std::span<const Query> sources) {
+  const SurfaceMesh& mesh = *surfaces.reconstruction();
+  const std::vector<Index> of_source = components_of(mesh, sources),
+                           of_target = components_of(mesh, surfaces.targets().queries());
+  // An insertion leaves the components as they are, but beside it a target's closest point may change to another one.
+  const std::vector<Index> all = vertex_components(mesh);
+  const bool may_change =
+      surfaces.rule() != QueryRule::project && std::ranges::adjacent_find(all, std::not_equal_to{}) != all.end();
   ReachCounts counts;
-  for (std::uint64_t i = 0; i < sources.size(); ++i)
-    count_reach(file.read(i), of_source[i], of_target, std::isfinite(job.max_distance), counts);
+  const bool limited = std::isfinite(job.max_distance);
+  for (std::uint64_t i = 0; i < sources.size(); ++i) {
+    if (!may_change) {
+      count_reach(file.read(i), of_source[i], of_target, limited, counts);
+      continue;
+    }
+    const SourceSurface on = surfaces.of(sources[i]);
+    count_reach(file.read(i), components_of(*on.mesh, {&on.source, 1})[0],
+                components_of(*on.mesh, on.targets->queries()), limited, counts);
+  }
   return counts;
 }
 
 }  // namespace
 
-MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const Surface& surface,
-                            std::span<const Query> sources, const TargetList& targets, const std::string& fingerprint,
-                            Observer& observer) {
-  const MatrixFile::Spec spec{job.matrix, sources.size(), targets.queries().size(), job.scalar, fingerprint};
+MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
+                            std::span<const Query> sources, const std::string& fingerprint, Observer& observer) {
+  const std::span<const Query> targets = surfaces.targets().queries();
+  const MatrixFile::Spec spec{job.matrix, sources.size(), targets.size(), job.scalar, fingerprint};
   const unsigned threads = thread_count(job.settings);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = MatrixFile::bytes(spec)};
-  RowMaker maker(job, solver, sources, targets, observer);
+  RowMaker maker(job, solver, surfaces, sources, observer);
 
   const Stopwatch first;
   std::vector<double> row(spec.columns);
@@ -205,8 +239,9 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   }
   result.seconds = watch.seconds() + result.first_row_seconds;
   result.counters = maker.counters();
-  result.reach = count_reaches(job, surface, file, sources, targets.queries());
-  result.invariants = check_invariants(job, solver, file, sources, targets.queries());
+  result.insertions = maker.insertions();
+  result.reach = count_reaches(job, surfaces, file, sources);
+  result.invariants = check_invariants(job, solver, file, sources, targets);
   file.finish();
   return result;
 }

@@ -6,7 +6,7 @@
 
 #include "engine/report/invariants.hpp"
 #include "engine/run/components.hpp"
-#include "engine/run/distance_row.hpp"
+#include "engine/run/source_surface.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -15,7 +15,8 @@ namespace geodrome {
 struct MatrixResult {
   std::uint64_t rows = 0, columns = 0, bytes = 0, resumed_rows = 0;
   double first_row_seconds = 0, seconds = 0;
-  std::map<std::string, std::uint64_t> counters;  ///< of the searches of this run
+  std::map<std::string, std::uint64_t> counters;    ///< of the searches of this run
+  std::map<std::string, std::uint64_t> insertions;  ///< how this run's sources became vertices; none for `project`
   ReachCounts reach;
   Invariants invariants;
 };
@@ -23,8 +24,8 @@ struct MatrixResult {
 /// Computes, checks and finishes `job.matrix`: rows over threads, each written as soon as it is there. Before the bulk
 /// of the work it times one row, tells size and estimated time, and throws RefusedError without consent above 4 GB or
 /// room on disk. Interrupted, it leaves MATRIX.partial. Memory: one row per thread.
-MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const Surface& surface,
-                            std::span<const Query> sources, const TargetList& targets, const std::string& fingerprint,
-                            Observer& observer);
+/// Under a rule that inserts sources, each thread prepares one surface at a time beside `solver`'s.
+MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
+                            std::span<const Query> sources, const std::string& fingerprint, Observer& observer);
 
 }  // namespace geodrome

@@ -51,19 +51,35 @@ void check_provides(const PreparedSolver& solver, std::span<const Query> sources
 
 TargetList::TargetList(std::vector<Query> queries, const Surface& surface)
     : queries_(std::move(queries)), estimated_(surface.made_from == InputKind::points) {
-  for (const Query& query : queries_)
+  for (const Query& query : queries_) {
+    first_.push_back(points_.size());
     if (is_no_vertex(query)) points_.push_back(query.place.at);
+  }
+  first_.push_back(points_.size());
+}
+
+TargetList::TargetList(std::vector<Query> queries, const std::vector<std::vector<SurfacePoint>>& points)
+    : queries_(std::move(queries)), estimated_(false) {
+  for (const auto& of_target : points) {
+    first_.push_back(points_.size());
+    points_.insert(points_.end(), of_target.begin(), of_target.end());
+  }
+  first_.push_back(points_.size());
 }
 
 double TargetList::read(const ShortestPathMap& map, std::size_t j) const {
   const Place& place = queries_[j].place;
   if (place.state == Place::State::dropped) return not_computed;
   if (place.state == Place::State::isolated) return infinity;
-  const double value = place.vertex != no_index ? map.vertices()[place.vertex] : map.at(place.at).value;
-  if (!(value >= 0))
+  const auto checked = [&](double value) {
+    if (value >= 0) return value;
     throw NumericalError("computed " + std::to_string(value) + " as the distance of target " + queries_[j].label,
                          "choose another solver, and report this to the author of the plugin");
-  return value;
+  };
+  if (place.vertex != no_index) return checked(map.vertices()[place.vertex]);
+  double least = infinity;
+  for (std::size_t k = first_[j]; k < first_[j + 1]; ++k) least = std::min(least, checked(map.at(points_[k]).value));
+  return least;
 }
 
 double TargetList::lower_bound(const Query& source, std::size_t j) const {

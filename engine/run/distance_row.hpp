@@ -28,9 +28,12 @@ void check_provides(const PreparedSolver& solver, std::span<const Query> sources
 class TargetList {
  public:
   TargetList(std::vector<Query> queries, const Surface& surface);
+  /// `points[j]`: points of the surface of which the closest one to the source counts for target j; none where it is a
+  /// vertex. Such distances have no lower bound.
+  TargetList(std::vector<Query> queries, const std::vector<std::vector<SurfacePoint>>& points);
 
   std::span<const Query> queries() const noexcept { return queries_; }
-  /// The targets that are no vertices, for Request::targets.
+  /// The points of the targets that are no vertices, for Request::targets.
   std::span<const SurfacePoint> points() const noexcept { return points_; }
 
   /// The surface distance of target `j` from a map, +inf at isolated vertices, NaN if dropped. Throws NumericalError if
@@ -44,6 +47,7 @@ class TargetList {
  private:
   std::vector<Query> queries_;
   std::vector<SurfacePoint> points_;
+  std::vector<std::size_t> first_;  // per target: its points in points_ end where those of the next one begin
   bool estimated_;
 };
 

@@ -144,6 +144,7 @@ Surface surface_of_points(const Input& input, const PluginHost& host, const RunS
   stages.sample_of_vertex = std::move(made.sample_of_vertex);
   surface.mesh = std::move(made.mesh);
   surface.findings = std::move(made.findings);
+  surface.inserter = std::move(made.inserter);
   surface.locator = std::make_shared<const SurfaceLocator>(surface.mesh);
   surface.places = project(input, *surface.locator, *surface.mesh, stages.control);
   return surface;

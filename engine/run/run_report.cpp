@@ -9,6 +9,7 @@
 #include "engine/report/guarantee.hpp"
 #include "engine/report/json.hpp"
 #include "engine/report/surface_facts.hpp"
+#include "engine/run/query_rule.hpp"
 #include "geodrome/engine/version.hpp"
 
 namespace geodrome {
@@ -80,6 +81,7 @@ Json to_json(const MatrixResult& matrix) {
                    {"missed", matrix.reach.missed},           {"impossible", matrix.reach.impossible}};
   json["counters"] = Json::object();
   for (const auto& [name, value] : matrix.counters) json["counters"][name] = value;
+  if (!matrix.insertions.empty()) json["insertions"] = matrix.insertions;
   const Invariants& i = matrix.invariants;
   json["invariants"] = {{"sampled_rows", i.rows},
                         {"scale", to_json(i.scale)},
@@ -147,10 +149,11 @@ Json run_json(const RunRecord& record) {
             {"build", build_tag},
             {"seed", settings.seed},
             {"threads", thread_count(settings)},
-            {"query", "project"},
+            {"query", name(record.job.query)},
             {"max_distance", to_json(record.job.max_distance)},
             {"sources", record.source_count},
             {"targets", record.target_count}};
+  if (!caveat(record.job.query).empty()) json["query_caveat"] = caveat(record.job.query);
   if (record.matrix)
     json["output"] = record.job.matrix.string(),
     json["dtype"] = record.job.scalar == ScalarType::float64 ? "float64" : "float32";
@@ -177,13 +180,25 @@ void summarize_solver(const PreparedSolver& solver, std::ostream& out) {
     out << "at most " << solver.plugin.factor << " times the distance\n";
 }
 
-void summarize_matrix(const std::string& file, const MatrixResult& m, std::ostream& out) {
-  out << "matrix     " << file << ": " << m.rows << " x " << m.columns << " in " << m.seconds << " s; "
+/// The invariants that the rule promises.
+const char* promised_by(QueryRule rule) {
+  switch (rule) {
+    case QueryRule::insert:
+      return "D >= Euclid, D(s,s), reach; symmetry and the triangle inequality are not promised by --query insert";
+    case QueryRule::printed:
+      return "D(s,s), reach; --query printed promises nothing else and is for comparison only";
+    default:
+      return "D >= Euclid, D(s,s), symmetry, triangle inequality, reach";
+  }
+}
+
+void summarize_matrix(const DistanceJob& job, const MatrixResult& m, std::ostream& out) {
+  out << "matrix     " << job.matrix.string() << ": " << m.rows << " x " << m.columns << " in " << m.seconds << " s; "
       << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
       << m.reach.not_computed << " not computed\n";
   const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
-  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED")
-      << " (D >= Euclid, D(s,s), symmetry, triangle inequality, reach)\n";
+  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(job.query)
+      << ")\n";
 }
 
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const GuaranteeVerdict* verdict,
@@ -191,7 +206,7 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Guara
   out.precision(4);
   summarize_surface(record.opened.input, surface, out);
   summarize_solver(record.solver, out);
-  if (record.matrix) summarize_matrix(record.job.matrix.string(), *record.matrix, out);
+  if (record.matrix) summarize_matrix(record.job, *record.matrix, out);
   if (record.nearest)
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
         << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "

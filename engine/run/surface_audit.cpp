@@ -44,20 +44,23 @@ std::string reason_not_to(const PreparedSolver& solver, double share, bool any_s
 
 }  // namespace
 
-AuditSummary audit_sources(const PreparedSolver& solver, const Surface& surface, std::span<const Query> sources,
+AuditSummary audit_sources(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const Query> sources,
                            double share, std::uint64_t seed, RunContext& context) {
   AuditSummary summary;
   const std::vector<const Query*> chosen = choose(sources);
   summary.not_audited = reason_not_to(solver, share, !chosen.empty());
   if (!summary.not_audited.empty()) return summary;
   const Stopwatch watch;
-  const auto search = make_search(solver);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    const Source source{chosen[i]->place.at, 0};
+    const SourceSurface on = surfaces.of(*chosen[i]);
+    const bool same = on.mesh == surfaces.reconstruction();
+    const PreparedSolver own = same ? solver : prepared_on(solver, on.mesh, context);
+    const auto search = make_search(own);
+    const Source source{on.source.place.at, 0};
     const ShortestPathMap& map = run_search(solver, *search, {&source, 1}, {.keep = Keep::map}, context);
     const AuditOptions options{.factor = solver.plugin.factor, .share = share, .seed = seed + i};
     add(summary.worst, cross_boundary(solver.plugin.info, [&] {
-          return audit(*surface.mesh, {&source, 1}, map, solver.plugin.info.provides, options);
+          return audit(*on.mesh, {&source, 1}, map, solver.plugin.info.provides, options);
         }));
     summary.sources.push_back(chosen[i]->label);
     context.throw_if_cancelled();

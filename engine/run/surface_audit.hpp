@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/run/distance_row.hpp"
+#include "engine/run/source_surface.hpp"
 #include "geodrome/engine/audit.hpp"
 
 namespace geodrome {
@@ -18,9 +18,9 @@ struct AuditSummary {
 };
 
 /// Repeats up to three searches (the first, the middle, the last source on the surface) with Keep::map and audits a
-/// share of the faces of each. Says "not audited" where `share` is 0 or the solver cannot answer at any point with
-/// paths.
-AuditSummary audit_sources(const PreparedSolver& solver, const Surface& surface, std::span<const Query> sources,
+/// share of the faces of each. Each is audited on its own surface. Says "not audited" where `share` is 0 or the solver
+/// cannot answer at any point with paths.
+AuditSummary audit_sources(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const Query> sources,
                            double share, std::uint64_t seed, RunContext& context);
 
 }  // namespace geodrome

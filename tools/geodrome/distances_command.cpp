@@ -53,8 +53,12 @@ void add_distances(CLI::App& app, Action& action) {
   command.add_option("--max-distance", job.max_distance, "Farther is +inf (counted apart from unreachable)")
       ->check(number_from_to(0, std::numeric_limits<double>::infinity()))
       ->type_name("R");
-  add_choice<QueryRule>(command, "--query", job.query, {{"project", QueryRule::project}},
-                        "Points off the surface: project (closest surface point, D = max(surface distance, |st|))");
+  add_choice<QueryRule>(
+      command, "--query", job.query,
+      {{"project", QueryRule::project}, {"insert", QueryRule::insert}, {"printed", QueryRule::printed}},
+      "Points off the surface: project (closest surface point, D = max(surface distance, |st|)), "
+      "insert (each source becomes a vertex of a surface of its own; D is not symmetric), printed (as "
+      "insert, targets as the paper prints it: wrong near the source, for comparison only)");
   command.add_option("--audit", job.audit_share, "Share of the faces on which exactness is audited; 0: none")
       ->check(number_from_to(0, 1))
       ->type_name("SHARE")

@@ -14,8 +14,14 @@
 
 namespace geodrome {
 
-/// How a place off the surface is treated. `project`: its closest surface point, D = max(surface distance, |st|).
-enum class QueryRule { project };
+/// How a place off the surface is treated (Section 2.4, Algorithm 2).
+///
+/// `project`: its closest surface point, D = max(surface distance, |st|); one surface, so D is symmetric and keeps the
+/// triangle inequality up to the bound. `insert`: the paper's S_conf + s_src: each source becomes a vertex of a surface
+/// of its own, targets are its closest points, D as above; better for near pairs and coarse samples, not symmetric.
+/// `printed`: the same surfaces, targets by lines 12 to 19 as printed, D unbounded below; for comparison only: it is 0
+/// where a target's nearest vertex is the source. The last two need a point sample and rows of it as sources.
+enum class QueryRule { project, insert, printed };
 
 /// Distances from sources to targets: Algorithm 2. Paths that are empty are not written.
 struct DistanceJob {

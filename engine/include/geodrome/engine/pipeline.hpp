@@ -65,6 +65,7 @@ struct Surface {
   InputKind made_from = InputKind::mesh;
   MeshPtr mesh;
   std::shared_ptr<const SurfaceLocator> locator;  ///< of a cloud's surface; null for a mesh, whose rows need none
+  std::shared_ptr<const PointInserter> inserter;  ///< null where the reconstructor has none, and for a mesh
   std::vector<Place> places;
   std::optional<SampleStages> sample;
   std::vector<StageRecord> stages;
