@@ -9,6 +9,7 @@
 #include "tools/bench/disturb.hpp"
 #include "tools/bench/fit.hpp"
 #include "tools/bench/hausdorff.hpp"
+#include "tools/bench/memory_peak.hpp"
 #include "tools/bench/sample_case.hpp"
 #include "tools/bench/topology_table.hpp"
 #include "tools/bench/torus_runs.hpp"
@@ -125,6 +126,17 @@ TEST(TorusEpsilon, OfALatticeIsItsLargestHole) {
   ASSERT_EQ(lattice.size(), 1000u);
   const double column = 1.4 * 2 * 3.14159265 / 50, row = 0.4 * 2 * 3.14159265 / 20;
   EXPECT_NEAR(torus_epsilon(lattice, 1), 0.5 * std::hypot(column, row) / 0.4, 0.01);
+}
+
+TEST(MemoryPeak, GrowsByWhatIsTouchedAndCanBeReset) {
+  constexpr std::size_t block = 100'000'000;
+  if (memory_peak() == 0) GTEST_SKIP() << "/proc/self/status does not tell";
+  if (!reset_memory_peak()) GTEST_SKIP() << "/proc/self/clear_refs cannot be written";
+  const std::size_t before = memory_peak();
+  std::vector<char>(block, 1);
+  EXPECT_GT(memory_peak(), before + block * 9 / 10);
+  reset_memory_peak();
+  EXPECT_LT(memory_peak(), before + block / 2);
 }
 
 TEST(TopologyTable, ExactLatticesComeOnceAndCutShapesOnlyWithABoundary) {

@@ -118,6 +118,7 @@ void add_accuracy(CLI::App& app, Action& action) {
       ->check(CLI::PositiveNumber);
   command.add_option("--solver", arguments->settings.stages.solver, "an exact solver")->capture_default_str();
   add_stages(command, arguments->settings);
+  add_threads(command, arguments->settings);
   command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
 }
 

@@ -13,6 +13,9 @@ void add_stages(CLI::App& command, RunSettings& settings) {
   add("--reconstructor", settings.stages.reconstructor, "surface through the kept points");
   command.add_option("--plugin-path", settings.plugin_path, "folder searched first (may be repeated)")
       ->allow_extra_args(false);
+}
+
+void add_threads(CLI::App& command, RunSettings& settings) {
   settings.threads = 1;
   command.add_option("--threads", settings.threads, "of every stage; 0: one per core")->capture_default_str();
 }

@@ -15,8 +15,10 @@ using Action = std::function<void()>;
 void add_solvers(CLI::App& app, Action& action);
 void add_samples(CLI::App& app, Action& action);
 void add_accuracy(CLI::App& app, Action& action);
+void add_cost(CLI::App& app, Action& action);
 
-/// Plugins of stages 1 to 4, --plugin-path and --threads (default 1: figures of one thread), declared once.
-void add_stages(CLI::App& command, RunSettings& settings);
+/// Options that several subcommands share, each declared once.
+void add_stages(CLI::App& command, RunSettings& settings);   ///< plugins of stages 1 to 4, --plugin-path
+void add_threads(CLI::App& command, RunSettings& settings);  ///< default 1
 
 }  // namespace geodrome::bench

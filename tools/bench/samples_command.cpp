@@ -49,6 +49,7 @@ void add_samples(CLI::App& app, Action& action) {
   list("--noise", arguments->choice.noise, "standard deviations as shares of the diagonal");
   list("--outliers", arguments->choice.outliers, "shares of the number of points");
   add_stages(command, arguments->settings);
+  add_threads(command, arguments->settings);
   command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
 }
 
