@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <vector>
 
 #include "tools/bench/distance_errors.hpp"
@@ -133,7 +133,10 @@ TEST(MemoryPeak, GrowsByWhatIsTouchedAndCanBeReset) {
   if (memory_peak() == 0) GTEST_SKIP() << "/proc/self/status does not tell";
   if (!reset_memory_peak()) GTEST_SKIP() << "/proc/self/clear_refs cannot be written";
   const std::size_t before = memory_peak();
-  std::vector<char>(block, 1);
+  {
+    const std::vector<char> touched(block, 1);
+    EXPECT_EQ(std::accumulate(touched.begin(), touched.end(), std::size_t{0}), block);
+  }
   EXPECT_GT(memory_peak(), before + block * 9 / 10);
   reset_memory_peak();
   EXPECT_LT(memory_peak(), before + block / 2);

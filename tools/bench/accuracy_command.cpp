@@ -112,7 +112,8 @@ void add_accuracy(CLI::App& app, Action& action) {
   };
   list("--points", arguments->points, "numbers of points");
   list("--seeds", arguments->seeds, "of samples, sources and stages");
-  list("--variants", arguments->variants, "of default, none (decimator_none); all if not given");
+  list("--variants", arguments->variants,
+       "of default, none (decimator_none), insert, printed (query rules); all if not given");
   command.add_option("--sources", arguments->sources, "random points of each sample")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);

@@ -91,7 +91,10 @@ double torus_epsilon(const PointSample& sample, std::uint64_t seed) {
 std::vector<Variant> variants_of(const StageChoice& stages) {
   StageChoice all_kept = stages;
   all_kept.decimator = "none";
-  return {{"default", stages}, {"none", all_kept}};
+  return {{"default", stages},
+          {"none", all_kept},
+          {"insert", stages, QueryRule::insert},
+          {"printed", stages, QueryRule::printed}};
 }
 
 std::vector<std::vector<double>> engine_distances(const TorusTask& task, const Variant& variant, RunSettings settings) {

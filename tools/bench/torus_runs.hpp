@@ -32,7 +32,7 @@ struct Variant {
   QueryRule query = QueryRule::project;
 };
 
-/// The known variants of a choice of stages: default, none (decimator_none).
+/// The known variants of a choice of stages: default, none (decimator_none), insert and printed (query rules).
 std::vector<Variant> variants_of(const StageChoice& stages);
 
 /// Distances from the sources to all points by `run_distances`, through files in a temporary folder: the path of the
