@@ -6,8 +6,8 @@
 #include "engine/output/number_text.hpp"
 #include "engine/report/json.hpp"
 #include "engine/run/check_outputs.hpp"
-#include "engine/run/distance_row.hpp"
-#include "engine/run/open_input.hpp"
+#include "engine/run/query_rule.hpp"
+#include "engine/run/source_surface.hpp"
 #include "engine/run/stage_context.hpp"
 #include "geodrome/engine/jobs.hpp"
 
@@ -78,8 +78,8 @@ void trace(const PreparedSolver& solver, const ShortestPathMap& map, const Query
     result.length += distance(result.positions[i - 1], result.positions[i]);
 }
 
-PathResult find_path(const PreparedSolver& solver, const Surface& surface, const Query& from, const Query& to,
-                     RunContext& context) {
+PathResult find_path(const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
+  const Query &from = on.source, &to = on.targets->queries()[0];
   PathResult result;
   result.distance = std::numeric_limits<double>::infinity();
   const bool isolated = from.place.state == Place::State::isolated || to.place.state == Place::State::isolated;
@@ -87,32 +87,35 @@ PathResult find_path(const PreparedSolver& solver, const Surface& surface, const
     if (from.place.vertex == to.place.vertex) result.distance = 0;
     return result;
   }
-  const TargetList targets({to}, surface);
   const auto search = make_search(solver);
   const Source source{from.place.at, 0};
   const ShortestPathMap& map =
-      run_search(solver, *search, {&source, 1}, {.targets = targets.points(), .keep = Keep::map}, context);
-  const double on_surface = cross_boundary(solver.plugin.info, [&] { return targets.read(map, 0); });
-  result.distance = std::max(on_surface, targets.lower_bound(from, 0));
-  if (std::isfinite(on_surface)) trace(solver, map, to, *surface.mesh, result);
+      run_search(solver, *search, {&source, 1}, {.targets = on.targets->points(), .keep = Keep::map}, context);
+  const double on_surface = cross_boundary(solver.plugin.info, [&] { return on.targets->read(map, 0); });
+  result.distance = std::max(on_surface, on.targets->lower_bound(from, 0));
+  if (std::isfinite(on_surface)) trace(solver, map, to, *on.mesh, result);
   return result;
 }
 
 }  // namespace
 
 PathResult run_path(const PathJob& job, Observer& observer) {
+  if (job.query == QueryRule::printed)
+    throw OptionError("--query printed has no paths: its distances are minima over several points",
+                      "say --query insert, or leave it out");
   const Format format = job.out.empty() ? nullptr : format_of(job.out);
   const std::string selections[] = {job.from, job.to};
   check_outputs({&job.out, 1}, files_read(job.input, selections));
   const PluginHost host(job.settings.plugin_path);
   const Opened opened = open_input(job.input, host, job.settings, observer);
   const Query from = select_one(job.from, "--from", opened), to = select_one(job.to, "--to", opened);
-  const PreparedSolver solver =
-      prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
-  check_provides(solver, {&from, 1}, {&to, 1}, std::numeric_limits<double>::infinity());
+  check_query(job.query, opened, {&from, 1});
+  const SourceSurface on = SourceSurfaces(job.query, opened, {to}).of(from);
+  const PreparedSolver solver = prepare_solver(on.mesh, host, job.settings.stages.solver, job.settings, observer);
+  check_provides(solver, {&on.source, 1}, on.targets->queries(), std::numeric_limits<double>::infinity());
   demand(solver, paths, "paths");
   StageContext context(ShortestPathSolver::stage, observer, 1, job.settings.seed);
-  const PathResult result = find_path(solver, opened.surface, from, to, context);
+  const PathResult result = find_path(solver, on, context);
   if (format) write_atomically(job.out, format(result));
   return result;
 }

@@ -198,6 +198,58 @@ TEST_F(QueryRule, AKilledJobResumesToTheSameBytesAndNotUnderAnotherRule) {
   EXPECT_TRUE(read_bytes(folder_ / "d.npy") == read_bytes(folder_ / "whole.npy"));
 }
 
+TEST_F(QueryRule, APathStartsAtTheInsertedPointAndHasTheDistanceOfTheMatrix) {
+  const std::vector<std::string> some{"--sources", "0,1,2,3,4,5,6,7,8,9"};
+  const Matrix project = matrix("project", some), insert = matrix("insert", some);
+  std::size_t from = 0;
+  while (from < insert.rows && same_row(project, insert, from)) ++from;
+  ASSERT_LT(from, insert.rows) << "the test needs a row that was not kept";
+  const Outcome outcome = run_geodrome(folder_, {"path", file("t.xyz"), "--from", std::to_string(from), "--to", "250",
+                                                 "--query", "insert", "--tangent", "pca", "-o", file("p.json")});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const json path = json::parse(read_bytes(folder_ / "p.json"));
+  EXPECT_DOUBLE_EQ(path["distance"], insert(from, 250));
+  EXPECT_EQ(path["points"][0]["position"], json(points()[from]));
+}
+
+TEST_F(QueryRule, ComponentsStayApartAndNothingIsMissed) {
+  make_torus("800");
+  std::string two = read_bytes(folder_ / "t.xyz");
+  for (const auto& p : points())
+    two += std::to_string(p[0] + 9) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + "\n";
+  write_bytes(folder_ / "two.xyz", two);
+  for (const std::string rule : {"insert", "printed"}) {
+    const Matrix d = matrix(rule, {"--sources", "0,1,2,800,801,802"}, "two.xyz");
+    ASSERT_EQ(report(rule)["surface"]["components"], 2);
+    for (std::size_t i = 0; i < 6; ++i)
+      for (std::size_t j = 0; j < 1600; ++j) ASSERT_EQ(std::isinf(d(i, j)), (i < 3) != (j < 800)) << i << " " << j;
+    EXPECT_EQ(report(rule)["matrix"]["reach"]["unreachable"], 6 * 800);
+  }
+}
+
+TEST_F(QueryRule, OnAPlanarSampleTheDistancesAreStraightAndTheBoundaryGrows) {
+  ASSERT_EQ(run_geodrome(folder_, {"shape", "plane", "--points", "400", "-o", file("t.xyz")}).status, 0);
+  const Matrix d = matrix("insert", {"--solver", "cgal", "--sources", "all"});
+  const json counts = report("insert")["matrix"]["insertions"];
+  EXPECT_GT(counts["extended"], 0) << "points beyond the boundary of the kept ones";
+  EXPECT_EQ(counts["partial"], 0);
+  const auto p = points();
+  double low = 1e300, high = -1e300;
+  for (const auto& q : p) low = std::min({low, q[0], q[1]}), high = std::max({high, q[0], q[1]});
+  const auto is_inner = [&](const auto& q) {
+    const double margin = 0.2 * (high - low);
+    return std::min(q[0], q[1]) > low + margin && std::max(q[0], q[1]) < high - margin;
+  };
+  std::size_t inner = 0;
+  for (std::size_t i = 0; i < d.rows; ++i)
+    for (std::size_t j = 0; j < d.columns; ++j)
+      if (is_inner(p[i]) && is_inner(p[j])) {
+        ++inner;
+        ASSERT_NEAR(d(i, j), length(p[i], p[j]), 1e-9 * (high - low)) << i << " " << j;
+      }
+  EXPECT_GT(inner, 1000u);
+}
+
 TEST_F(QueryRule, DroppedAndMergedPointsAreTreatedAsEverywhere) {
   write_bytes(
       folder_ / "p.xyz", read_bytes(folder_ / "t.xyz") + "nan 0 0\n" + [&] {
@@ -227,6 +279,9 @@ TEST_F(QueryRule, RefusalsSayWhyAndWhatToDo) {
   expect(run("printed", {"--sources", "@" + file("s.txt"), "-o", file("d.npy")}), 2, "rows");
   write_bytes(folder_ / "square.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");
   expect(run("insert", {"-o", file("d.npy")}, "square.off"), 2, "--as points");
+  expect(run_geodrome(folder_,
+                      {"path", file("t.xyz"), "--from", "0", "--to", "1", "--query", "printed", "-o", file("p.obj")}),
+         2, "--query");
 }
 
 }  // namespace

@@ -38,6 +38,8 @@ void add_path(CLI::App& app, Action& action) {
   command.add_option("--from", job.from, entry)->required()->type_name("I");
   command.add_option("--to", job.to, entry)->required()->type_name("J");
   command.add_option("-o,--output", job.out, "The polyline: .obj, .csv or .json")->required()->type_name("FILE");
+  add_choice<QueryRule>(command, "--query", job.query, {{"project", QueryRule::project}, {"insert", QueryRule::insert}},
+                        "project: between closest surface points; insert: FROM becomes a vertex of the surface");
   add_solver(command, job.settings.stages);
   add_sample_stages(command, job.settings.stages);
   add_read_options(command, job.settings.read);

@@ -58,11 +58,13 @@ struct PathJob {
   std::filesystem::path input;
   RunSettings settings;
   std::string from, to;  ///< one entry each, as `select` reads it
+  QueryRule query = QueryRule::project;  ///< not `printed`, whose minima are lengths of no path
   std::filesystem::path out;
 };
 
 /// A polyline of surface points from `from` to `to`; empty if unreachable, then `distance` is +inf, and if both are the
-/// same vertex on no face, then it is 0.
+/// same vertex on no face, then it is 0. Faces are those of the surface; under `insert` of the one with `from` as a
+/// vertex, on which faces that stayed should have kept their index.
 struct PathResult {
   double distance = 0;  ///< max(surface distance, |st|) for a cloud
   double length = 0;    ///< of the polyline
