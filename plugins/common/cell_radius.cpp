@@ -6,20 +6,13 @@
 #include <string>
 
 #include "geodrome/errors.hpp"
+#include "plugins/common/frame.hpp"
 
 namespace geodrome {
 namespace {
 
 constexpr std::size_t first_neighbours = 16;  // enough for most cells
 constexpr std::size_t near_neighbours = 64;   // then the corners themselves are asked
-
-/// A unit vector at a right angle to `normal`: from the axis that is farthest from it, so that nothing cancels.
-Vec3 tangent_to(const Vec3& normal) {
-  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-  const Vec3 axis = x <= y && x <= z ? Vec3{1, 0, 0} : y <= z ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
-  const Vec3 t = cross(normal, axis);
-  return t / norm(t);
-}
 
 }  // namespace
 

@@ -109,12 +109,16 @@ Control LipschitzControl::evaluate(const PointSample& sample, const Tangents& ta
     unbounded += !cells[i].bounded;
   }
   const std::vector<double> psi = envelope(live.points, phi, context);
+  const double least = noise_factor * tangents.sigma;
+  std::size_t raised = 0;
   for (std::size_t i = 0; i < live.size(); ++i) {
     control.phi[live.sample_index[i]] = phi[i];
-    control.psi[live.sample_index[i]] = psi[i];
+    control.psi[live.sample_index[i]] = std::max(psi[i], least);
+    raised += psi[i] < least;
   }
   context.measure("unbounded", static_cast<double>(unbounded));
   context.measure("capped", static_cast<double>(capped));
+  context.measure("raised_to_noise", static_cast<double>(raised));
   return control;
 }
 

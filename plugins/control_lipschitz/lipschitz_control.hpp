@@ -14,13 +14,17 @@ inline constexpr OptionSpec lipschitz_options[] = {
 inline constexpr double phi_factor = 1.0005;
 /// The slope of equation (1); below 1/18 (Lemma 5).
 inline constexpr double psi_slope = 1.19 / 22;
+/// psi is at least this many sigma of the noise that the tangents state: closer points differ by noise more than by
+/// shape, and triangles of that size would follow it. Being the maximum of two Lipschitz functions, psi stays one.
+inline constexpr double noise_factor = 5;
 
 /// The control function of Section 2.2.2: phi by planar Voronoi cells (Theorem 3), capped, and
 /// psi(s) = max over s' of phi'(s') - 1.19/22 |ss'| (equation (1)), bitwise that of the plain double loop.
 ///
 /// The cap replaces phi by 1.5 times the median phi of the 17 nearest points (with ties), where it is larger: one
 /// outlier or one bad normal would otherwise decide psi everywhere. A point both `unbounded` and capped is `unbounded`;
-/// the measures "unbounded" and "capped" count both.
+/// the measures "unbounded" and "capped" count both. "raised_to_noise" counts the points whose psi equation (1) gives
+/// below `noise_factor` sigma; the paper's guarantee does not cover a sample with noise.
 class LipschitzControl final : public ControlFunction {
  public:
   explicit LipschitzControl(const OptionValues& options) : cap_(options.boolean("cap")) {}

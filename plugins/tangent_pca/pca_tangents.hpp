@@ -13,7 +13,7 @@ inline constexpr OptionSpec pca_options[] = {
 /// Tangent planes by principal components: the least-squares plane of a point and its k nearest neighbours.
 ///
 /// The neighbourhood counts ties at the k-th distance in, so it does not depend on the order of the points. It grows,
-/// doubling k, while it is too thin to show a plane (`thin_ratio`). The plane goes through the point itself; `residual`
+/// doubling k, while it is too thin to show a plane (variance across below a tenth of that along). The plane goes through the point itself; `residual`
 /// is measured from the fitted plane. `sigma` is 0: a plane cannot tell noise from curvature. No point is dropped.
 class PcaTangents final : public TangentEstimator {
  public:

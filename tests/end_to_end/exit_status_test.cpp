@@ -58,7 +58,7 @@ TEST_F(ExitStatus, IsFourForAMatrixAboveFourGigabytesWithoutConsent) {
 
 TEST_F(ExitStatus, IsFourForASampleThatIsNotFit) {
   write_bytes(folder_ / "line.xyz", "0 0 0\n1 1 1\n2 2 2\n3 3 3\n4 4 4\n");
-  expect(run({"distances", file("line.xyz"), "-o", file("d.npy")}), 4, "tangent_pca");
+  expect(run({"distances", file("line.xyz"), "-o", file("d.npy")}), 4, "tangent_jet");
 }
 
 TEST_F(ExitStatus, IsFiveForDistancesThatBreakAPromise) {

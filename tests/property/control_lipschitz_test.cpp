@@ -183,6 +183,18 @@ TEST(ControlLipschitz, PsiIsOneEighteenthLipschitz) {
   }
 }
 
+TEST(ControlLipschitz, PsiIsAtLeastFiveSigmaOfTheNoiseAndOtherwiseAsItWas) {
+  const PointSample sample = test::torus(3000, 4, 10);
+  Tangents tangents = tangents_of(sample);
+  const Control clean = control_of(sample, tangents);
+  std::vector<double> sorted = clean.psi;
+  std::nth_element(sorted.begin(), sorted.begin() + 1500, sorted.end());
+  tangents.sigma = sorted[1500] / 5;
+  const Control noisy = control_of(sample, tangents);
+  EXPECT_EQ(noisy.phi, clean.phi);
+  for (std::size_t i = 0; i < sample.size(); ++i) ASSERT_EQ(noisy.psi[i], std::max(clean.psi[i], 5 * tangents.sigma));
+}
+
 TEST(ControlLipschitz, OneOutlierDoesNotDecidePsiEverywhere) {
   PointSample sample = test::torus(3000, 1);
   sample.points.push_back({0, 0, 3});
