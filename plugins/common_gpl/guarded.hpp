@@ -17,7 +17,7 @@ auto guarded(Function&& function) {
   try {
     return function();
   } catch (const CGAL::Failure_exception& failure) {
-    throw NumericalError(std::string("CGAL failed: ") + failure.what(), "choose another reconstructor");
+    throw NumericalError(std::string("CGAL failed: ") + failure.what(), "choose another plugin for this stage");
   }
 }
 

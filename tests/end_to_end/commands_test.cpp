@@ -70,7 +70,7 @@ TEST_F(Commands, PluginsListAndShowNameEveryStage) {
   std::vector<std::string> names;
   for (const json& plugin : listing["usable"])
     names.push_back(plugin["stage"].get<std::string>() + "_" + plugin["name"].get<std::string>());
-  for (const char* name : {"tangent_jet", "tangent_pca", "control_lipschitz", "decimator_greedy", "decimator_none",
+  for (const char* name : {"tangent_jet", "tangent_pca", "tangent_pole", "control_lipschitz", "decimator_greedy", "decimator_none",
                            "reconstructor_advancing_front", "solver_cgal", "solver_edge_dijkstra"})
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
   EXPECT_TRUE(listing["refused"].empty());
