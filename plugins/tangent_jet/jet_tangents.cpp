@@ -77,6 +77,21 @@ Cloud without(const Cloud& old, const std::vector<bool>& outlier, std::size_t k,
   return cloud;
 }
 
+/// Drops outliers round by round; returns the noise of what is left.
+Noise drop_outliers(Cloud& cloud, std::size_t k, OutlierRule rule, RunContext& context) {
+  Noise noise = estimate_noise(cloud.neighbours, cloud.order, context);
+  for (int round = 0; round < most_rounds; ++round) {
+    const std::vector<bool> outlier =
+        find_outliers(cloud.live.points, cloud.jets, noise.significant ? noise.sigma : 0, rule);
+    const auto count = static_cast<std::size_t>(std::count(outlier.begin(), outlier.end(), true));
+    if (count == 0 || static_cast<double>(count) > too_many * static_cast<double>(cloud.live.size())) break;
+    cloud = without(cloud, outlier, k, context);
+    noise = estimate_noise(cloud.neighbours, cloud.order, context);
+    if (rule == OutlierRule::distance) break;
+  }
+  return noise;
+}
+
 /// The planes of the points that are left, in the order of the cloud.
 std::vector<TangentPlane> jet_planes(const Cloud& cloud) {
   std::vector<TangentPlane> planes;
@@ -104,17 +119,7 @@ Tangents JetTangents::estimate(const PointSample& sample, RunContext& context) c
   for (std::size_t i = 0; i < sample.size(); ++i)
     tangents.plane.push_back({sample.points[i], cloud.jets[i].plane_normal, cloud.jets[i].residual});
 
-  Noise noise = estimate_noise(cloud.neighbours, cloud.order, context);
-  for (int round = 0; round < most_rounds; ++round) {
-    const std::vector<bool> outlier =
-        find_outliers(cloud.live.points, cloud.jets, noise.significant ? noise.sigma : 0, outliers_);
-    const auto count = static_cast<std::size_t>(std::count(outlier.begin(), outlier.end(), true));
-    if (count == 0 || static_cast<double>(count) > too_many * static_cast<double>(cloud.live.size())) break;
-    cloud = without(cloud, outlier, k_, context);
-    noise = estimate_noise(cloud.neighbours, cloud.order, context);
-    if (outliers_ == OutlierRule::distance) break;
-  }
-
+  const Noise noise = drop_outliers(cloud, k_, outliers_, context);
   const bool smooth = smooth_ == Smooth::on || (smooth_ == Smooth::automatic && noise.significant);
   std::vector<TangentPlane> planes =
       smooth ? smoothed_planes(cloud.neighbours, cloud.order, noise.neighbourhood, context, {0.5, 1})
