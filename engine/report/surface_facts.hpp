@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "geodrome/surface.hpp"
 
@@ -16,8 +17,10 @@ struct SurfaceFacts {
   double smallest_angle = 0;       ///< radians; over all faces
   double largest_edge_ratio = 1;   ///< longest to shortest edge of a face; +inf if a face has an edge of length 0
   std::size_t largest_degree = 0;  ///< edges at a vertex
-  double largest_circumradius = 0;
 };
+
+/// Edges at each vertex. O(F log F).
+std::vector<std::size_t> degrees_of(const SurfaceMesh& mesh);
 
 /// O(F log F).
 SurfaceFacts facts_of(const SurfaceMesh& mesh);

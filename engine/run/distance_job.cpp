@@ -76,7 +76,9 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   const Stopwatch total;
   check_job(job);
   const PluginHost host(job.settings.plugin_path);
-  const Opened opened = open_input(job.input, host, job.settings, observer);
+  const Opened opened = try_open(job.input, host, job.settings, observer);
+  if (opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, opened) + "\n");
+  throw_if_refused(opened, job.settings, observer);
   const std::vector<Query> sources = select(job.sources, opened.input, opened.surface);
   check_query(job.query, opened, sources);
   const SourceSurfaces surfaces(job.query, opened, select(job.targets, opened.input, opened.surface));

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/run/open_input.hpp"
 
+#include <sstream>
+
 #include "engine/report/finding_text.hpp"
+#include "engine/report/sample_report.hpp"
 #include "engine/run/stage_context.hpp"
 
 namespace geodrome {
@@ -27,10 +30,17 @@ void tell_unused(const StageChoice& chosen, Observer& observer) {
         "the input is a mesh: the stages chosen for point samples do not run (--as points takes its vertices)");
 }
 
+void tell_sample(const Opened& opened, const RunSettings& settings, Observer& observer) {
+  std::stringstream text;
+  text.precision(4);
+  print_short(make_sample_report(opened.input, opened.surface, nullptr, std::nullopt, settings.seed), text);
+  for (std::string line; std::getline(text, line);) observer.log(LogLevel::info, line);
+}
+
 }  // namespace
 
-Opened open_input(const std::filesystem::path& file, const PluginHost& host, const RunSettings& settings,
-                  Observer& observer) {
+Opened try_open(const std::filesystem::path& file, const PluginHost& host, const RunSettings& settings,
+                Observer& observer) {
   Opened opened;
   const Stopwatch reading;
   opened.input = read_input(file, settings.read);
@@ -40,9 +50,26 @@ Opened open_input(const std::filesystem::path& file, const PluginHost& host, con
   tell(findings, observer);
   if (opened.input.kind == InputKind::mesh) tell_unused(settings.stages, observer);
   const Stopwatch making;
-  opened.surface = make_surface(opened.input, host, settings, observer);
+  SurfaceAttempt attempt = try_surface(opened.input, host, settings, observer);
+  opened.surface = std::move(attempt.surface), opened.refusal = std::move(attempt.refusal);
   opened.surface_seconds = making.seconds();
   tell(opened.surface.findings, observer);
+  return opened;
+}
+
+void throw_if_refused(const Opened& opened, const RunSettings& settings, Observer& observer) {
+  if (!opened.refusal) return;
+  const SampleReport report =
+      make_sample_report(opened.input, opened.surface, &*opened.refusal, std::nullopt, settings.seed);
+  for (const std::string& line : lines_of(report.worst)) observer.log(LogLevel::warning, line);
+  throw *opened.refusal;
+}
+
+Opened open_input(const std::filesystem::path& file, const PluginHost& host, const RunSettings& settings,
+                  Observer& observer) {
+  Opened opened = try_open(file, host, settings, observer);
+  throw_if_refused(opened, settings, observer);
+  if (opened.surface.sample) tell_sample(opened, settings, observer);
   return opened;
 }
 

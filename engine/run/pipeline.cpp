@@ -4,23 +4,30 @@
 #include <algorithm>
 #include <thread>
 
+#include "engine/report/input_rows.hpp"
 #include "engine/run/stage_context.hpp"
 
 namespace geodrome {
 
 namespace {
 
-/// Runs one stage: loads its plugin, times the call, keeps the record.
+/// Runs one stage: loads its plugin, times the call, keeps the record, also of a stage that refuses the sample.
 template <class Stage, class Function>
 auto run_stage(const std::string& selection, const PluginHost& host, const RunSettings& settings, Observer& observer,
                std::vector<StageRecord>& records, Function&& function) {
   const Plugin<Stage> plugin = host.load<Stage>(selection);
   StageContext context(Stage::stage, observer, thread_count(settings), settings.seed);
   const Stopwatch watch;
-  auto result = plugin.call([&](const Stage& stage) { return function(stage, context, plugin.info); });
-  context.throw_if_cancelled();
-  records.push_back({plugin.info, plugin.options, watch.seconds(), context.measures()});
-  return result;
+  const auto record = [&] { records.push_back({plugin.info, plugin.options, watch.seconds(), context.measures()}); };
+  try {
+    auto result = plugin.call([&](const Stage& stage) { return function(stage, context, plugin.info); });
+    context.throw_if_cancelled();
+    record();
+    return result;
+  } catch (const SampleError&) {
+    record();
+    throw;
+  }
 }
 
 /// A plugin may be anybody's: a result that breaks the interface must not travel on.
@@ -83,10 +90,9 @@ PointSample smoothed(const PointSample& sample, const Tangents& tangents) {
   return result;
 }
 
-/// Stages 1 to 3.
-SampleStages run_sample_stages(const PointSample& sample, const PluginHost& host, const RunSettings& settings,
-                               Observer& observer, std::vector<StageRecord>& records) {
-  SampleStages made;
+/// Stages 1 to 3, into `made`.
+void run_sample_stages(const PointSample& sample, const PluginHost& host, const RunSettings& settings,
+                       Observer& observer, std::vector<StageRecord>& records, SampleStages& made) {
   const std::size_t n = sample.size();
   made.tangents =
       run_stage<TangentEstimator>(settings.stages.tangent, host, settings, observer, records,
@@ -109,7 +115,13 @@ SampleStages run_sample_stages(const PointSample& sample, const PluginHost& host
                                      check(kept, n, plugin);
                                      return kept;
                                    });
-  return made;
+}
+
+/// Stages count points, users count rows: two numbers where rows were merged or dropped.
+void name_rows(std::vector<Finding>& findings, const std::vector<Index>& row_of) {
+  for (Finding& finding : findings)
+    for (Index& element : finding.elements)
+      if (element < row_of.size() && row_of[element] != no_index) element = row_of[element];
 }
 
 /// Every row's closest surface point (Algorithm 2, lines 16 to 19, corrected).
@@ -127,27 +139,43 @@ std::vector<Place> project(const Input& input, const SurfaceLocator& locator, co
   return of_row;
 }
 
-Surface surface_of_points(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer) {
-  Surface surface;
-  surface.made_from = InputKind::points;
-  const PointSample sample{input.positions};
-  surface.sample = run_sample_stages(sample, host, settings, observer, surface.stages);
+/// Stage 4, and the places of the points.
+void reconstruct(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer,
+                 Surface& surface) {
   SampleStages& stages = *surface.sample;
   Reconstruction made = run_stage<SurfaceReconstructor>(
       settings.stages.reconstructor, host, settings, observer, surface.stages,
       [&](const SurfaceReconstructor& stage, RunContext& context, const PluginInfo& plugin) {
         Reconstruction result =
             stage.reconstruct(stages.smoothed, stages.tangents, stages.control, stages.kept, context);
-        check(result, sample.size(), plugin);
+        check(result, input.positions.size(), plugin);
         return result;
       });
   stages.sample_of_vertex = std::move(made.sample_of_vertex);
   surface.mesh = std::move(made.mesh);
   surface.findings = std::move(made.findings);
   surface.inserter = std::move(made.inserter);
+  name_rows(surface.findings, rows_of_elements(input));
   surface.locator = std::make_shared<const SurfaceLocator>(surface.mesh);
   surface.places = project(input, *surface.locator, *surface.mesh, stages.control);
-  return surface;
+}
+
+SurfaceAttempt attempt_points(const Input& input, const PluginHost& host, const RunSettings& settings,
+                              Observer& observer) {
+  SurfaceAttempt attempt;
+  Surface& surface = attempt.surface;
+  surface.made_from = InputKind::points;
+  surface.sample.emplace();
+  try {
+    run_sample_stages(PointSample{input.positions}, host, settings, observer, surface.stages, *surface.sample);
+    reconstruct(input, host, settings, observer, surface);
+  } catch (const SampleError& error) {
+    std::vector<Finding> findings = error.findings();
+    name_rows(findings, rows_of_elements(input));
+    attempt.refusal.emplace(error.message(), error.remedy(), std::move(findings));
+    attempt.refusal->attribute_to(error.plugin());
+  }
+  return attempt;
 }
 
 /// Throws CapabilityError if the mesh lacks what the plugin needs.
@@ -171,8 +199,16 @@ unsigned thread_count(const RunSettings& settings) {
   return settings.threads > 0 ? settings.threads : std::max(1u, std::thread::hardware_concurrency());
 }
 
+SurfaceAttempt try_surface(const Input& input, const PluginHost& host, const RunSettings& settings,
+                           Observer& observer) {
+  if (input.kind == InputKind::mesh) return {surface_of_mesh(input), std::nullopt};
+  return attempt_points(input, host, settings, observer);
+}
+
 Surface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer) {
-  return input.kind == InputKind::mesh ? surface_of_mesh(input) : surface_of_points(input, host, settings, observer);
+  SurfaceAttempt attempt = try_surface(input, host, settings, observer);
+  if (attempt.refusal) throw *attempt.refusal;
+  return std::move(attempt.surface);
 }
 
 PreparedSolver prepare_solver(MeshPtr mesh, const PluginHost& host, const std::string& selection,

@@ -6,9 +6,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "engine/report/guarantee.hpp"
-#include "engine/report/json.hpp"
-#include "engine/report/surface_facts.hpp"
+#include "engine/report/sample_report.hpp"
 #include "engine/run/query_rule.hpp"
 #include "geodrome/engine/version.hpp"
 
@@ -22,45 +20,6 @@ std::uint64_t peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
-Json to_json(const SurfaceFacts& facts) {
-  Json json{{"vertices", facts.vertices},     {"faces", facts.faces},
-            {"components", facts.components}, {"boundary_loops", facts.boundary_loops},
-            {"manifold", facts.manifold},     {"oriented", facts.oriented},
-            {"closed", facts.closed},         {"euler_number", facts.euler_number}};
-  json["genus"] = facts.genus ? Json(*facts.genus) : Json(nullptr);
-  json["smallest_angle"] = to_json(facts.smallest_angle);
-  json["largest_edge_ratio"] = to_json(facts.largest_edge_ratio);
-  json["largest_degree"] = facts.largest_degree;
-  return json;
-}
-
-Json to_json(const SampleFacts& facts) {
-  return {{"points", facts.points},
-          {"kept", facts.kept},
-          {"unbounded", facts.unbounded},
-          {"capped", facts.capped},
-          {"dropped", facts.dropped},
-          {"sigma", to_json(facts.sigma)},
-          {"psi_smallest", to_json(facts.psi_smallest)},
-          {"psi_largest", to_json(facts.psi_largest)}};
-}
-
-Json to_json(const GuaranteeVerdict& verdict) {
-  Json claims = Json::array();
-  for (const Claim& claim : verdict.claims)
-    claims.push_back({{"claim", claim.name},
-                      {"source", claim.source},
-                      {"measured", to_json(claim.measured)},
-                      {"bound", claim.bound},
-                      {"holds", claim.holds}});
-  const char* note =
-      "epsilon <= 1/22 concerns the unknown surface: a sample can refute the guarantee, never confirm it";
-  return {{"verdict", verdict.void_because.empty() ? "not refuted" : "void"},
-          {"because", verdict.void_because},
-          {"claims", claims},
-          {"note", note}};
 }
 
 Json to_json(const InvariantCheck& check) {
@@ -142,21 +101,30 @@ std::vector<std::string> broken_promises(const RunRecord& record) {
   return broken;
 }
 
-Json run_json(const RunRecord& record) {
-  const RunSettings& settings = record.job.settings;
+Json settings_json(const DistanceJob& job) {
   Json json{{"version", version()},
             {"interface_version", interface_version},
             {"build", build_tag},
-            {"seed", settings.seed},
-            {"threads", thread_count(settings)},
-            {"query", name(record.job.query)},
-            {"max_distance", to_json(record.job.max_distance)},
-            {"sources", record.source_count},
-            {"targets", record.target_count}};
-  if (!caveat(record.job.query).empty()) json["query_caveat"] = caveat(record.job.query);
+            {"seed", job.settings.seed},
+            {"threads", thread_count(job.settings)},
+            {"query", name(job.query)},
+            {"max_distance", to_json(job.max_distance)}};
+  if (!caveat(job.query).empty()) json["query_caveat"] = caveat(job.query);
+  return json;
+}
+
+Json run_json(const RunRecord& record) {
+  Json json = settings_json(record.job);
+  json["sources"] = record.source_count, json["targets"] = record.target_count;
   if (record.matrix)
     json["output"] = record.job.matrix.string(),
     json["dtype"] = record.job.scalar == ScalarType::float64 ? "float64" : "float32";
+  return json;
+}
+
+Json stages_json(const std::vector<StageRecord>& stages) {
+  Json json = Json::array();
+  for (const StageRecord& stage : stages) json.push_back(to_json(stage));
   return json;
 }
 
@@ -201,8 +169,7 @@ void summarize_matrix(const DistanceJob& job, const MatrixResult& m, std::ostrea
       << ")\n";
 }
 
-void summarize(const RunRecord& record, const SurfaceFacts& surface, const GuaranteeVerdict* verdict,
-               std::ostream& out) {
+void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
   out.precision(4);
   summarize_surface(record.opened.input, surface, out);
   summarize_solver(record.solver, out);
@@ -217,29 +184,23 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Guara
         << std::max(audit.worst.worst_lipschitz, audit.worst.worst_path) << " of the largest distance\n";
   else
     out << "audit      not audited: " << audit.not_audited << "\n";
-  if (verdict)
-    out << "guarantee  "
-        << (verdict->void_because.empty() ? "not refuted by the sample"
-                                          : "of the paper is void: " + verdict->void_because.front())
-        << "\n";
+  if (sample) print_short(*sample, out);
 }
 
 }  // namespace
 
 JobReport write_report(const RunRecord& record) {
   const Opened& opened = record.opened;
-  const SurfaceFacts facts = facts_of(*opened.surface.mesh);
+  std::optional<SampleReport> sample;
+  if (opened.surface.sample)
+    sample = make_sample_report(opened.input, opened.surface, nullptr, record.solver.plugin.factor,
+                                record.job.settings.seed);
+  const SurfaceFacts facts = sample ? *sample->surface : facts_of(*opened.surface.mesh);
   Json json{{"geodrome", run_json(record)}, {"input", to_json(opened.input)}, {"surface", to_json(facts)}};
+  if (sample) json.update(to_json(*sample));
   json["surface"]["findings"] = to_json(opened.surface.findings);
-  json["stages"] = Json::array();
-  for (const StageRecord& stage : opened.surface.stages) json["stages"].push_back(to_json(stage));
+  json["stages"] = stages_json(opened.surface.stages);
   json["stages"].push_back(to_json(record.solver.record));
-  std::optional<GuaranteeVerdict> verdict;
-  if (opened.surface.sample) {
-    json["sample"] = to_json(facts_of(*opened.surface.sample));
-    verdict = judge(opened.surface, facts, record.solver.plugin.factor, record.job.settings.seed);
-    json["guarantee_of_the_paper"] = to_json(*verdict);
-  }
   json["solver_factor"] = to_json(record.solver.plugin.factor);
   if (record.matrix) json["matrix"] = to_json(*record.matrix);
   if (record.nearest) json["nearest"] = to_json(*record.nearest);
@@ -252,8 +213,18 @@ JobReport write_report(const RunRecord& record) {
                      {"total", record.total_seconds}};
   json["peak_memory_bytes"] = peak_memory_bytes();
   std::ostringstream summary;
-  summarize(record, facts, verdict ? &*verdict : nullptr, summary);
+  summarize(record, facts, sample ? &*sample : nullptr, summary);
   return {text_of(json), summary.str(), broken};
+}
+
+std::string refusal_report(const DistanceJob& job, const Opened& opened) {
+  Json json{{"geodrome", settings_json(job)}, {"input", to_json(opened.input)}};
+  json.update(
+      to_json(make_sample_report(opened.input, opened.surface, &*opened.refusal, std::nullopt, job.settings.seed)));
+  json["stages"] = stages_json(opened.surface.stages);
+  json["timings"] = {{"read", opened.read_seconds}, {"surface", opened.surface_seconds}};
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  return text_of(json);
 }
 
 }  // namespace geodrome

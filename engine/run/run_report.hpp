@@ -26,4 +26,7 @@ struct RunRecord {
 /// The report as JSON and as a few lines for people.
 JobReport write_report(const RunRecord& record);
 
+/// The report of a job whose sample was refused, as JSON: what is known up to there.
+std::string refusal_report(const DistanceJob& job, const Opened& opened);
+
 }  // namespace geodrome

@@ -7,13 +7,13 @@
 
 namespace geodrome::bench {
 
-void ClaimExtremes::add(const Surface& surface, const SurfaceFacts& facts, std::uint64_t seed) {
-  constexpr double exact = 1;  // no solver runs here; its factor must not speak against the surface
-  for (const Claim& claim : judge(surface, facts, exact, seed).claims) {
+void ClaimExtremes::add(const Surface& surface, std::uint64_t seed) {
+  for (const Claim& claim : claims_of(surface, seed)) {
+    if (!claim.is_measured()) continue;
     auto row = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.claim.name == claim.name; });
     if (row == rows_.end()) row = rows_.insert(row, {claim, claim.measured, claim.measured, 0, 0});
     row->least = std::min(row->least, claim.measured), row->most = std::max(row->most, claim.measured);
-    row->held += claim.holds, ++row->measured;
+    row->held += claim.holds(), ++row->measured;
   }
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/report/guarantee.hpp"
+#include "engine/report/claims.hpp"
 
 namespace geodrome::bench {
 
@@ -13,7 +13,7 @@ namespace geodrome::bench {
 class ClaimExtremes {
  public:
   /// Adds the claims that the engine makes about a surface from points.
-  void add(const Surface& surface, const SurfaceFacts& facts, std::uint64_t seed);
+  void add(const Surface& surface, std::uint64_t seed);
 
   /// A line per claim; nothing if no surface was added.
   void print(std::ostream& out) const;

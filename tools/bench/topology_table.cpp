@@ -87,7 +87,7 @@ Tally print_family(std::ostream& out, const std::string& family, const std::vect
       const SampleResult result = run_case(cases[i], host, settings);
       line.add(result);
       reasons += reason_line(cases[i], result);
-      if (result.outcome == Outcome::right) claims.add(*result.surface, *result.facts, cases[i].seed);
+      if (result.outcome == Outcome::right) claims.add(*result.surface, cases[i].seed);
     }
     print_line(out, first, line, reasons);
     sum.add(line);

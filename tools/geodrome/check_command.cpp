@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "engine/report/finding_text.hpp"
+#include "console.hpp"
 #include "engine/report/json.hpp"
 
 namespace geodrome::cli {
@@ -11,42 +11,20 @@ namespace geodrome::cli {
 namespace {
 
 struct Arguments {
-  std::filesystem::path input;
-  ReadOptions read;
-  bool json = false;
+  CheckJob job;
+  bool json = false, quiet = false;
 };
-
-void print(const Input& input) {
-  const InputFacts& f = input.facts;
-  const bool mesh = input.kind == InputKind::mesh;
-  std::cout << input.file.string() << ": " << input.format << ", " << f.rows << (mesh ? " vertices, " : " points, ");
-  if (mesh) {
-    std::cout << input.triangles.size() << " triangles, " << f.components
-              << (f.components == 1 ? " component, " : " components, ") << f.boundary_loops
-              << (f.boundary_loops == 1 ? " boundary loop, " : " boundary loops, ")
-              << (f.manifold ? "manifold, " : "nonmanifold, ")
-              << (f.oriented     ? "oriented, "
-                  : f.orientable ? "not oriented, "
-                                 : "not orientable, ");
-    if (f.genus) std::cout << "genus " << *f.genus << ", ";
-  }
-  std::cout << "diagonal " << f.bounding_box_diagonal << "\n";
-  for (const Finding& finding : input.findings)
-    std::cout << (finding.severity == Finding::Severity::note ? "note: " : "warning: ") << text_of(finding) << "\n";
-}
 
 int run(const Arguments& arguments) {
   try {
-    const Input input = read_input(arguments.input, arguments.read);
-    if (!arguments.json)
-      print(input);
-    else
-      std::cout << text_of(Json{{"usable", true}, {"input", to_json(input)}}) << "\n";
-    return 0;
+    const CheckReport report =
+        with_console(arguments.quiet, [&](Console& console) { return run_check(arguments.job, console); });
+    std::cout << (arguments.json ? report.json + "\n" : report.text);
+    return report.refusal ? exit_status(*report.refusal) : 0;
   } catch (const InputError& error) {
     if (!arguments.json) throw;
     const Json what{{"fault", name(error.fault())}, {"message", error.message()}, {"remedy", error.remedy()}};
-    std::cout << text_of(Json{{"usable", false}, {"file", arguments.input.string()}, {"error", what}}) << "\n";
+    std::cout << text_of(Json{{"usable", false}, {"file", arguments.job.input.string()}, {"error", what}}) << "\n";
     return exit_status(error);
   }
 }
@@ -55,11 +33,18 @@ int run(const Arguments& arguments) {
 
 void add_check(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App& command =
-      *app.add_subcommand("check", "What a file holds and what is wrong with it; status 3 if it cannot be used");
-  add_input(command, arguments->input);
-  add_read_options(command, arguments->read);
+  CheckJob& job = arguments->job;
+  CLI::App& command = *app.add_subcommand(
+      "check",
+      "What a file holds and what is wrong with it; of points, how good a sample they are. Status 3 if it cannot be "
+      "used, 4 if the sample is refused");
+  add_input(command, job.input);
   command.add_flag("--json", arguments->json, "As JSON on standard output");
+  command.add_flag("--input-only", job.input_only, "Of points, no more than the file's own facts: no stage runs");
+  add_sample_stages(command, job.settings.stages);
+  add_read_options(command, job.settings.read);
+  add_run_options(command, job.settings);
+  add_quiet(command, arguments->quiet);
   command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,23 @@ struct JobReport {
 /// MATRIX.partial, which an interrupted job leaves for `resume`. Throws any geodrome::Error. Memory: the surface, the
 /// prepared solver, and O(targets) per thread.
 JobReport run_distances(const DistanceJob& job, Observer& observer);
+
+/// What a file holds; of points also what stages 1 to 4 make of it, unless `input_only`.
+struct CheckJob {
+  std::filesystem::path input;
+  RunSettings settings;
+  bool input_only = false;
+};
+
+/// The report as JSON text and for people. A sample that a stage refuses is no exception here: it is told with all that
+/// was learned up to there.
+struct CheckReport {
+  std::string json, text;
+  std::optional<SampleError> refusal;
+};
+
+/// Throws what reading and the stages throw, but for SampleError.
+CheckReport run_check(const CheckJob& job, Observer& observer);
 
 /// One shortest path. `.obj` (a polyline), `.csv` (x,y,z,face,b0,b1,b2) or `.json` by the name's ending.
 struct PathJob {

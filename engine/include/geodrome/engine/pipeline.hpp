@@ -69,13 +69,23 @@ struct Surface {
   std::vector<Place> places;
   std::optional<SampleStages> sample;
   std::vector<StageRecord> stages;
-  std::vector<Finding> findings;
+  std::vector<Finding> findings;  ///< their elements are rows of the input
+};
+
+/// What came of trying to make a surface. If a stage refused the sample, `surface` holds what was learned up to there:
+/// the results of the stages before it and the records up to its own, but neither mesh nor places.
+struct SurfaceAttempt {
+  Surface surface;
+  std::optional<SampleError> refusal;  ///< the elements of its findings are rows of the input
 };
 
 /// Lines 3 to 7 of Algorithm 2: stages 1 to 4 for a cloud; for a mesh, the mesh. Places follow the corrected query
 /// rule: the globally closest point of the surface. Errors: what the plugins throw, and PluginError for a result that
 /// breaks the interface. Complexity: that of the plugins, and O(n log F) for the places.
 Surface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
+
+/// As `make_surface`, but a SampleError is returned with what was learned, for the sample report.
+SurfaceAttempt try_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
 
 /// Stage 5 made ready: the solver's plugin with the surface prepared.
 struct PreparedSolver {

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+#include "engine/report/sample_report.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "engine/report/input_rows.hpp"
+
+namespace geodrome {
+
+namespace {
+
+constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+
+SurfaceDistance distance_of(const Input& input, const Surface& surface) {
+  SurfaceDistance result;
+  const std::vector<Index> row_of = rows_of_elements(input);
+  double sum = 0;
+  std::size_t count = 0;
+  for_each_live_point(input, surface, [&](Index point, const Place& place) {
+    const double squared = squared_distance(place.position, surface.mesh->position(place.at));
+    if (result.farthest_row == no_index || std::sqrt(squared) > result.largest)
+      result.largest = std::sqrt(squared), result.farthest_row = row_of[point];
+    sum += squared, ++count;
+  });
+  if (count > 0) result.root_mean_square = std::sqrt(sum / static_cast<double>(count));
+  return result;
+}
+
+/// A sample's points are spread over a surface: their number goes with the square of 1 / epsilon.
+double points_for(double wanted, const StageFigure& epsilon, std::size_t live) {
+  if (!epsilon.is_measured() || epsilon.value <= wanted) return not_computed;
+  return static_cast<double>(live) * (epsilon.value / wanted) * (epsilon.value / wanted);
+}
+
+std::string percent(double share) {
+  std::ostringstream text;
+  text.precision(3);
+  text << 100 * share << " %";
+  return text.str();
+}
+
+std::string number(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+class Judge {
+ public:
+  /// At most `good`, at most `fair`, or more.
+  void weigh(double value, double good, double fair, const std::string& what) {
+    if (std::isnan(value)) return;
+    worsen(value <= good   ? Practice::Verdict::good
+           : value <= fair ? Practice::Verdict::fair
+                           : Practice::Verdict::doubtful,
+           what);
+  }
+
+  void worsen(Practice::Verdict verdict, const std::string& what) {
+    const bool unknown = practice_.verdict == Practice::Verdict::unknown;
+    if (unknown || verdict > practice_.verdict) practice_.verdict = verdict;
+    if (verdict != Practice::Verdict::good) practice_.because.push_back(what);
+  }
+
+  Practice verdict() && { return std::move(practice_); }
+
+ private:
+  Practice practice_;
+};
+
+Practice practice_of(const SampleReport& report, const Claim& on_surface, const std::vector<Finding>& findings) {
+  Judge judge;
+  const StageFigure &stars = report.figure("inconsistent_stars"), &epsilon = report.figure("epsilon");
+  judge.weigh(stars.value, good_stars, fair_stars, percent(stars.value) + " of the stars are inconsistent");
+  judge.weigh(epsilon.value, good_epsilon, fair_epsilon, "epsilon is about " + number(epsilon.value));
+  if (on_surface.fails())
+    judge.worsen(Practice::Verdict::doubtful, "a point lies " + number(on_surface.measured) + " psi off the surface");
+  for (const Finding& finding : findings)
+    if (finding.severity == Finding::Severity::warning)
+      judge.worsen(Practice::Verdict::fair, "the reconstructor warns of '" + finding.code + "'");
+  if (report.refusal) judge.worsen(Practice::Verdict::refused, "the sample was refused");
+  return std::move(judge).verdict();
+}
+
+}  // namespace
+
+SampleReport make_sample_report(const Input& input, const Surface& surface, const SampleError* refusal,
+                                std::optional<double> factor, std::uint64_t seed) {
+  SampleReport report;
+  report.facts = facts_of(input, *surface.sample);
+  report.diagonal = input.facts.bounding_box_diagonal;
+  report.figures = figures_of(surface.stages);
+  if (report.figure("sigma").is_measured()) report.facts.sigma = report.figure("sigma").value;
+  if (surface.mesh) report.surface = facts_of(*surface.mesh), report.distance = distance_of(input, surface);
+  if (refusal) report.refusal = Refusal{refusal->plugin(), refusal->message(), refusal->remedy()};
+  const StageFigure& epsilon = report.figure("epsilon");
+  report.points_for_the_paper = points_for(epsilon_of_the_paper, epsilon, report.facts.live());
+  report.points_for_practice = points_for(good_epsilon, epsilon, report.facts.live());
+
+  std::vector<Claim> claims = claims_of(surface, seed);
+  claims.push_back(claim_epsilon(epsilon));
+  const bool closed = !report.surface || report.surface->closed;
+  report.guarantee = judge(claims, report.facts, closed, factor);
+  if (refusal) report.guarantee.void_because.insert(report.guarantee.void_because.begin(), "the sample was refused");
+
+  const Claim on_surface = claim_points_on_surface(input, surface);
+  const std::vector<Finding>& findings = refusal ? refusal->findings() : surface.findings;
+  report.practice = practice_of(report, on_surface, findings);
+  claims.push_back(on_surface);
+  report.worst = worst_places(input, surface, claims, findings);
+  return report;
+}
+
+}  // namespace geodrome
