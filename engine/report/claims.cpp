@@ -115,6 +115,7 @@ class PaperGauges {
     std::vector<Claim> claims;
     claims.push_back(std::move(lipschitz_).finish(no_psi));
     claims.push_back(std::move(lemma_6_).finish(no_surface));
+    for (Claim& claim : claims) claim.strain_tells = false;
     for (Gauge* gauge : {&circumradius_, &edge_to_psi_, &degree_, &edge_ratio_, &angle_})
       claims.push_back(std::move(*gauge).finish(no_surface));
     return claims;
@@ -144,6 +145,24 @@ std::vector<Claim> claims_of(const Surface& surface, std::uint64_t seed) {
   gauges.add_random_pairs(seed);
   gauges.add_records();
   return std::move(gauges).finish();
+}
+
+Claim claim_curvature(const Surface& surface) {
+  const SampleStages& stages = *surface.sample;
+  Gauge gauge("phi_to_curvature_radius", "phi over radius of curvature <= 0.3", "practice", Claim::Sense::at_most,
+              good_epsilon, stages.control.phi.size());
+  const auto add_edge = [&](Index a, Index b) {
+    if (a == no_index || b == no_index) return;
+    const double cosine =
+        std::min(1.0, std::abs(dot(stages.tangents.plane[a].normal, stages.tangents.plane[b].normal)));
+    const double curvature =
+        std::sqrt(2 * (1 - cosine)) / distance(stages.smoothed.points[a], stages.smoothed.points[b]);
+    for (const Index end : {a, b}) gauge.add(end, stages.control.phi[end] * curvature);
+  };
+  if (surface.mesh)
+    for (const Triangle& t : surface.mesh->triangles())
+      for (int i = 0; i < 3; ++i) add_edge(stages.sample_of_vertex[t[i]], stages.sample_of_vertex[t[(i + 1) % 3]]);
+  return std::move(gauge).finish("there is no surface");
 }
 
 Claim claim_points_on_surface(const Input& input, const Surface& surface) {

@@ -28,9 +28,9 @@ SurfaceDistance distance_of(const Input& input, const Surface& surface) {
 }
 
 /// A sample's points are spread over a surface: their number goes with the square of 1 / epsilon.
-double points_for(double wanted, const StageFigure& epsilon, std::size_t live) {
-  if (!epsilon.is_measured() || epsilon.value <= wanted) return not_computed;
-  return static_cast<double>(live) * (epsilon.value / wanted) * (epsilon.value / wanted);
+double points_for(double wanted, double epsilon, std::size_t live) {
+  if (!(epsilon > wanted)) return not_computed;  // also if it is NaN
+  return static_cast<double>(live) * (epsilon / wanted) * (epsilon / wanted);
 }
 
 std::string percent(double share) {
@@ -72,9 +72,10 @@ class Judge {
 
 Practice practice_of(const SampleReport& report, const Claim& on_surface, const std::vector<Finding>& findings) {
   Judge judge;
-  const StageFigure &stars = report.figure("inconsistent_stars"), &epsilon = report.figure("epsilon");
+  const StageFigure& stars = report.figure("inconsistent_stars");
+  const char* about = report.figure("epsilon").is_measured() ? "epsilon is about " : "epsilon is at least about ";
   judge.weigh(stars.value, good_stars, fair_stars, percent(stars.value) + " of the stars are inconsistent");
-  judge.weigh(epsilon.value, good_epsilon, fair_epsilon, "epsilon is about " + number(epsilon.value));
+  judge.weigh(report.epsilon, good_epsilon, fair_epsilon, about + number(report.epsilon));
   if (on_surface.fails())
     judge.worsen(Practice::Verdict::doubtful, "a point lies " + number(on_surface.measured) + " psi off the surface");
   for (const Finding& finding : findings)
@@ -95,20 +96,21 @@ SampleReport make_sample_report(const Input& input, const Surface& surface, cons
   if (report.figure("sigma").is_measured()) report.facts.sigma = report.figure("sigma").value;
   if (surface.mesh) report.surface = facts_of(*surface.mesh), report.distance = distance_of(input, surface);
   if (refusal) report.refusal = Refusal{refusal->plugin(), refusal->message(), refusal->remedy()};
-  const StageFigure& epsilon = report.figure("epsilon");
-  report.points_for_the_paper = points_for(epsilon_of_the_paper, epsilon, report.facts.live());
-  report.points_for_practice = points_for(good_epsilon, epsilon, report.facts.live());
+  const StageFigure& estimate = report.figure("epsilon");
+  const Claim curvature = claim_curvature(surface), on_surface = claim_points_on_surface(input, surface);
+  report.epsilon = estimate.is_measured() ? estimate.value : curvature.measured;
+  report.points_for_the_paper = points_for(epsilon_of_the_paper, report.epsilon, report.facts.live());
+  report.points_for_practice = points_for(good_epsilon, report.epsilon, report.facts.live());
 
   std::vector<Claim> claims = claims_of(surface, seed);
-  claims.push_back(claim_epsilon(epsilon));
+  claims.push_back(claim_epsilon(estimate));
   const bool closed = !report.surface || report.surface->closed;
   report.guarantee = judge(claims, report.facts, closed, factor);
   if (refusal) report.guarantee.void_because.insert(report.guarantee.void_because.begin(), "the sample was refused");
 
-  const Claim on_surface = claim_points_on_surface(input, surface);
   const std::vector<Finding>& findings = refusal ? refusal->findings() : surface.findings;
   report.practice = practice_of(report, on_surface, findings);
-  claims.push_back(on_surface);
+  claims.insert(claims.end(), {curvature, on_surface});
   report.worst = worst_places(input, surface, claims, findings);
   return report;
 }

@@ -46,6 +46,8 @@ struct SampleReport {
   std::map<std::string, StageFigure> figures;
   GuaranteeVerdict guarantee;
   Practice practice;
+  /// The epsilon that a stage estimated; else, as a lower bound, what the curvature shows; NaN: neither.
+  double epsilon = 0;
   double points_for_the_paper = 0;  ///< about so many, spread alike, would bring epsilon to 1/22; NaN: not known
   double points_for_practice = 0;   ///< ... to `good_epsilon`, where it is above; NaN: not known, or enough are there
   std::vector<WorstPlace> worst;
@@ -53,9 +55,6 @@ struct SampleReport {
 
   const StageFigure& figure(const std::string& name) const { return figures.at(name); }
 };
-
-/// Smooth shapes come out right up to here, and mostly up to the second: observed on some 300 samples, not proven.
-inline constexpr double good_epsilon = 0.3, fair_epsilon = 0.5;
 
 /// Shares of inconsistent stars. Of the samples tried, surfaces that came out right had at most 20 %, wrong ones 29 %
 /// and more.

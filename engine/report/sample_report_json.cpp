@@ -25,6 +25,7 @@ Json sample_json(const SampleReport& report) {
     if (!figure.is_measured()) missing[name] = figure.by.empty() ? "its stage did not run" : figure.by;
   }
   json["not_measured"] = missing;
+  json["epsilon_at_least"] = or_null(report.epsilon);
   json["points_for_the_paper"] = or_null(report.points_for_the_paper);
   json["points_for_practice"] = or_null(report.points_for_practice);
   if (!report.distance) return json;

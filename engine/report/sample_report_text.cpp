@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iomanip>
+#include <iterator>
 #include <ostream>
 #include <sstream>
 
@@ -47,15 +50,20 @@ void print_sample(const SampleReport& report, std::ostream& out) {
 }
 
 void print_stars(const SampleReport& report, std::ostream& out) {
-  out << "stars      inconsistent: " << percent_or_not(report.figure("inconsistent_stars"))
-      << " (ok below 5 %, doubtful above 10 %, refused above 20 %)\n";
+  out << "stars      inconsistent: " << percent_or_not(report.figure("inconsistent_stars"));
+  if (report.figure("inconsistent_stars").is_measured())
+    out << " (ok below " << 100 * good_stars << " %, doubtful above " << 100 * fair_stars << " %, refused above "
+        << 100 * most_stars << " %); in cocircular ties: " << percent_or_not(report.figure("star_ties"));
+  out << "\n";
 }
 
 void print_density(const SampleReport& report, std::ostream& out) {
-  const StageFigure& epsilon = report.figure("epsilon");
-  out << "density    epsilon: " << value_or_not(epsilon);
+  const StageFigure& estimate = report.figure("epsilon");
+  out << "density    epsilon: " << value_or_not(estimate);
+  if (!estimate.is_measured() && !std::isnan(report.epsilon))
+    out << ", at least " << report.epsilon << " by the curvature of the surface";
   if (!std::isnan(report.points_for_the_paper))
-    out << " (estimated); the paper's 1/22 would take about " << about(report.points_for_the_paper) << " points";
+    out << "; the paper's 1/22 would take about " << about(report.points_for_the_paper) << " points";
   if (!std::isnan(report.points_for_practice))
     out << ", " << good_epsilon << " about " << about(report.points_for_practice);
   out << "\n";
@@ -95,23 +103,37 @@ void print_surface(const SurfaceFacts& s, std::ostream& out) {
       << counted(s.boundary_loops, "boundary loop", "boundary loops") << "\n";
 }
 
+/// "flips: 3; lids: 0"; said once if none of them was measured.
+void print_values(const SampleReport& report, std::initializer_list<const char*> names, std::ostream& out) {
+  const auto measured = [&](const char* name) { return report.figure(name).is_measured(); };
+  if (std::none_of(names.begin(), names.end(), measured)) {
+    for (const char* name : names) out << name << (name == *std::prev(names.end()) ? ": " : ", ");
+    out << not_measured(report.figure(*names.begin()));
+    return;
+  }
+  for (const char* name : names)
+    out << (name == *names.begin() ? "" : "; ") << name << ": " << value_or_not(report.figure(name));
+}
+
 /// psi >= 5 sigma is what keeps noise out of the surface.
 void print_noise(const SampleReport& report, std::ostream& out) {
   const SampleFacts& f = report.facts;
-  const StageFigure &sigma = report.figure("sigma"), &smoothed = report.figure("smoothed");
+  const StageFigure& sigma = report.figure("sigma");
   const bool known = sigma.is_measured() || f.sigma > 0;  // 0 is also what an estimator says that does not estimate it
   out << "noise      sigma: ";
   if (!known)
     out << not_measured(sigma);
   else
     out << f.sigma << " (smallest psi / sigma " << f.psi_smallest / f.sigma << ", wanted: 5 or more)";
-  out << "; smoothed: " << value_or_not(smoothed) << "; outliers: " << value_or_not(report.figure("outliers")) << "\n";
+  out << "; ";
+  print_values(report, {"smoothed", "outliers"}, out);
+  out << "\n";
 }
 
 void print_repair(const SampleReport& report, std::ostream& out) {
-  out << "repair     flips: " << value_or_not(report.figure("flips"))
-      << "; lids: " << value_or_not(report.figure("lids")) << "; rounds: " << value_or_not(report.figure("rounds"))
-      << "; triangles in cocircular ties: " << percent_or_not(report.figure("star_ties")) << "\n";
+  out << "repair     ";
+  print_values(report, {"flips", "lids", "rounds"}, out);
+  out << "\n";
 }
 
 void print_claims(const std::vector<Claim>& claims, std::ostream& out) {

@@ -23,6 +23,7 @@ std::string remedy_for(const std::string& code, bool decimated) {
   static const std::map<std::string, std::string> remedies = {
       {"circumradius_to_psi", denser + ": the surface spans a gap"},
       {"edge_to_psi", denser + ": the surface spans a gap"},
+      {"phi_to_curvature_radius", denser + ": the surface bends too much between two points"},
       {"psi_lipschitz", "choose another control plugin"},
       {"off_surface", "remove the point if it is an outlier, else " + denser},
       {"inconsistent_stars", denser + ", or smooth the noise away"},
@@ -137,7 +138,8 @@ void choose_failing(const std::vector<Kind>& kinds, Chooser& chooser) {
 std::vector<std::pair<const Kind*, PlacedValue>> choose_strained(const std::vector<Kind>& kinds, Chooser& chooser) {
   std::vector<std::pair<const Kind*, PlacedValue>> all, added;
   for (const Kind& kind : kinds)
-    for (std::size_t i = kind.failing; i < kind.candidates.size(); ++i) all.push_back({&kind, kind.candidates[i]});
+    for (std::size_t i = kind.failing; i < kind.candidates.size() && kind.claim->strain_tells; ++i)
+      all.push_back({&kind, kind.candidates[i]});
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return a.first->claim->strain(a.second.measured) > b.first->claim->strain(b.second.measured);
   });

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/report/guarantee.hpp"
+#include "engine/report/surface_facts.hpp"
 #include "geodrome/engine/pipeline.hpp"
 #include "geodrome/engine/plugin_host.hpp"
 
