@@ -6,6 +6,7 @@
 #include <random>
 
 #include "engine/report/face_shape.hpp"
+#include "engine/report/gauge.hpp"
 #include "engine/report/input_rows.hpp"
 #include "engine/report/surface_facts.hpp"
 
@@ -14,41 +15,6 @@ namespace geodrome {
 namespace {
 
 constexpr std::size_t random_pairs = 10'000;
-
-/// A claim in the making: the worst value of each point, and of all.
-class Gauge {
- public:
-  Gauge(const char* code, const char* name, const char* source, Claim::Sense sense, double bound, std::size_t points)
-      : worst_(points, std::numeric_limits<double>::quiet_NaN()) {
-    claim_.code = code, claim_.name = name, claim_.source = source;
-    claim_.sense = sense, claim_.bound = bound;
-  }
-
-  /// `point` may be no_index: the value counts, without a place.
-  void add(Index point, double measured) {
-    if (std::isnan(measured)) return;
-    if (exceeds(measured, claim_.measured)) claim_.measured = measured;
-    if (point != no_index && exceeds(measured, worst_[point])) worst_[point] = measured;
-  }
-
-  Claim finish(const char* if_not_measured) && {
-    for (Index i = 0; i < worst_.size(); ++i)
-      if (!std::isnan(worst_[i])) claim_.places.push_back({i, worst_[i]});
-    std::stable_sort(claim_.places.begin(), claim_.places.end(), [this](const PlacedValue& a, const PlacedValue& b) {
-      return claim_.strain(a.measured) > claim_.strain(b.measured);
-    });
-    if (!claim_.is_measured()) claim_.not_measured = if_not_measured;
-    return std::move(claim_);
-  }
-
- private:
-  bool exceeds(double value, double other) const {
-    return std::isnan(other) || claim_.strain(value) > claim_.strain(other);
-  }
-
-  Claim claim_;
-  std::vector<double> worst_;
-};
 
 /// The gauges of the paper's bounds, and what feeds them.
 class PaperGauges {
@@ -145,24 +111,6 @@ std::vector<Claim> claims_of(const Surface& surface, std::uint64_t seed) {
   gauges.add_random_pairs(seed);
   gauges.add_records();
   return std::move(gauges).finish();
-}
-
-Claim claim_curvature(const Surface& surface) {
-  const SampleStages& stages = *surface.sample;
-  Gauge gauge("phi_to_curvature_radius", "phi over radius of curvature <= 0.3", "practice", Claim::Sense::at_most,
-              good_epsilon, stages.control.phi.size());
-  const auto add_edge = [&](Index a, Index b) {
-    if (a == no_index || b == no_index) return;
-    const double cosine =
-        std::min(1.0, std::abs(dot(stages.tangents.plane[a].normal, stages.tangents.plane[b].normal)));
-    const double curvature =
-        std::sqrt(2 * (1 - cosine)) / distance(stages.smoothed.points[a], stages.smoothed.points[b]);
-    for (const Index end : {a, b}) gauge.add(end, stages.control.phi[end] * curvature);
-  };
-  if (surface.mesh)
-    for (const Triangle& t : surface.mesh->triangles())
-      for (int i = 0; i < 3; ++i) add_edge(stages.sample_of_vertex[t[i]], stages.sample_of_vertex[t[(i + 1) % 3]]);
-  return std::move(gauge).finish("there is no surface");
 }
 
 Claim claim_points_on_surface(const Input& input, const Surface& surface) {

@@ -47,8 +47,9 @@ std::vector<Claim> claims_of(const Surface& surface, std::uint64_t seed);
 /// proven.
 inline constexpr double good_epsilon = 0.3, fair_epsilon = 0.5;
 
-/// phi over the radius of curvature, which no local feature size exceeds: epsilon as far as it can be seen from one
-/// edge of the surface, whose two tangent planes turn by 2 asin(length / (2 radius)). Bound: `good_epsilon`.
+/// phi over the radius of curvature, which no local feature size exceeds: epsilon as far as two kept points that are
+/// neighbours (each with its six nearest) show it, whose tangent planes turn by 2 asin(distance / (2 radius)). Needs no
+/// surface. Bound: `good_epsilon`.
 Claim claim_curvature(const Surface& surface);
 
 /// Every live point of the input nearer to the surface than its psi. No bound of the paper: a point farther off than

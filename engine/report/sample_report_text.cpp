@@ -61,7 +61,7 @@ void print_density(const SampleReport& report, std::ostream& out) {
   const StageFigure& estimate = report.figure("epsilon");
   out << "density    epsilon: " << value_or_not(estimate);
   if (!estimate.is_measured() && !std::isnan(report.epsilon))
-    out << ", at least " << report.epsilon << " by the curvature of the surface";
+    out << ", at least " << report.epsilon << " by the curvature seen";
   if (!std::isnan(report.points_for_the_paper))
     out << "; the paper's 1/22 would take about " << about(report.points_for_the_paper) << " points";
   if (!std::isnan(report.points_for_practice))

@@ -104,6 +104,13 @@ TEST(Claims, SeePhiOverTheRadiusOfASphere) {
   EXPECT_NEAR(claim_curvature(made.surface).measured, phi / radius, 1e-12);
 }
 
+TEST(Claims, SeeTheCurvatureWithoutASurface) {
+  SampledSurface made = sampled(test::octahedron(), 0.2);
+  for (TangentPlane& plane : made.surface.sample->tangents.plane) plane.normal = plane.origin;
+  test::refuse(made);
+  EXPECT_NEAR(claim_curvature(made.surface).measured, 0.2, 1e-12);
+}
+
 TEST(Claims, FindThePointWhosePhiIsTooLargeForTheCurvature) {
   SampledSurface made = sampled(test::octahedron(), 0.2);
   for (TangentPlane& plane : made.surface.sample->tangents.plane) plane.normal = plane.origin;
