@@ -76,6 +76,8 @@ Practice practice_of(const SampleReport& report, const Claim& on_surface, const 
   const char* about = report.figure("epsilon").is_measured() ? "epsilon is about " : "epsilon is at least about ";
   judge.weigh(stars.value, good_stars, fair_stars, percent(stars.value) + " of the stars are inconsistent");
   judge.weigh(report.epsilon, good_epsilon, fair_epsilon, about + number(report.epsilon));
+  if (report.facts.sigma > most_noise * report.diagonal)
+    judge.worsen(Practice::Verdict::doubtful, "noise is over 1 % of the diagonal");
   if (on_surface.fails())
     judge.worsen(Practice::Verdict::doubtful, "a point lies " + number(on_surface.measured) + " psi off the surface");
   for (const Finding& finding : findings)

@@ -60,6 +60,9 @@ struct SampleReport {
 /// and more.
 inline constexpr double good_stars = 0.05, fair_stars = 0.10, most_stars = 0.20;
 
+/// Smoothing gave the right topology up to this sigma, as a share of the diagonal.
+inline constexpr double most_noise = 0.01;
+
 /// Everything that can be told of stages 1 to 4 as far as they came; `surface.sample` is there. `refusal`: why there is
 /// no surface, if there is none. `factor`: the solver's, if one runs. O(n log n).
 SampleReport make_sample_report(const Input& input, const Surface& surface, const SampleError* refusal,

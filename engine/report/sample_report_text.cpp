@@ -121,10 +121,11 @@ void print_noise(const SampleReport& report, std::ostream& out) {
   const StageFigure& sigma = report.figure("sigma");
   const bool known = sigma.is_measured() || f.sigma > 0;  // 0 is also what an estimator says that does not estimate it
   out << "noise      sigma: ";
-  if (!known)
-    out << not_measured(sigma);
+  if (known)
+    out << f.sigma;
   else
-    out << f.sigma << " (smallest psi / sigma " << f.psi_smallest / f.sigma << ", wanted: 5 or more)";
+    out << not_measured(sigma);
+  if (f.sigma > 0) out << " (smallest psi / sigma " << f.psi_smallest / f.sigma << ", wanted: 5 or more)";
   out << "; ";
   print_values(report, {"smoothed", "outliers"}, out);
   out << "\n";

@@ -112,6 +112,14 @@ TEST(SampleReport, JudgesPracticeByEpsilonApartFromTheGuarantee) {
   }
 }
 
+TEST(SampleReport, DoubtsNoiseOfMoreThanAHundredthOfTheDiagonal) {
+  SampledSurface made = measured({{"epsilon", 0.1}});
+  made.surface.sample->tangents.sigma = 0.019;  // the diagonal is 2
+  EXPECT_EQ(report_of(made).practice.verdict, Practice::Verdict::good);
+  made.surface.sample->tangents.sigma = 0.021;
+  EXPECT_EQ(report_of(made).practice.verdict, Practice::Verdict::doubtful);
+}
+
 TEST(SampleReport, MeasuresHowFarThePointsAreFromTheSurface) {
   SampledSurface made = sampled(test::plane_grid(1), 1);
   made.surface.places[2].position.z = 0.3;
