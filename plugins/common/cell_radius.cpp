@@ -59,7 +59,7 @@ void CellRadiusFinder::cut_by_far(Index site) {
   for (const CellCorner& c : cell_.corners()) tried_.push_back(c.edge.site);
   for (std::size_t i = 0; i < cell_.corners().size();) {
     const CellCorner& corner = cell_.corners()[i];
-    neighbours_.nearest(origin_ + corner.x * u_ + corner.y * v_, 1, found_);
+    neighbours_.nearest(position(corner), 1, found_);
     const Index other = found_.front().index;
     // The site itself, or one whose edge is there already, is no nearer than the site but for rounding.
     const bool tried = std::find(tried_.begin(), tried_.end(), other) != tried_.end();
@@ -67,6 +67,15 @@ void CellRadiusFinder::cut_by_far(Index site) {
     // A cut renumbers the corners. Asking all of them again costs little: there are some six.
     i = !tried && cut(other) ? 0 : i + 1;
   }
+}
+
+double sample_reach(std::span<const Vec3> points) {
+  Vec3 sum;
+  for (const Vec3& p : points) sum = sum + (p - points.front());
+  const Vec3 centroid = points.front() + sum / static_cast<double>(points.size());
+  double farthest = 0;
+  for (const Vec3& p : points) farthest = std::max(farthest, squared_distance(p, centroid));
+  return 2 * std::sqrt(farthest);
 }
 
 }  // namespace geodrome

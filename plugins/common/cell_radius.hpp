@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "plugins/common/neighbours.hpp"
@@ -13,6 +14,10 @@ struct CellRadius {
   double phi = 0;
   bool bounded = false;
 };
+
+/// Twice the largest distance from the centroid: no two points are farther apart, and a cell that goes farther than the
+/// sample does has no end. Unlike the bounding box it turns with the sample. At least one point. O(n).
+double sample_reach(std::span<const Vec3> points);
 
 /// Computes phi(s) of Theorem 3: the distance of s from the farthest vertex of the planar Voronoi cell of s, which is
 /// the cell of s in space cut by the tangent plane through s. Exact up to rounding: no neighbour that matters is
@@ -28,6 +33,10 @@ class CellRadiusFinder {
 
   /// `normal` is a unit vector. Throws SampleError if no other point limits the cell of `site`. O(log n) typically.
   CellRadius operator()(Index site, const Vec3& normal);
+
+  /// The cell of the last call, in its tangent plane, and where a corner of it is in space.
+  const PlanarCell& cell() const noexcept { return cell_; }
+  Vec3 position(const CellCorner& corner) const { return origin_ + corner.x * u_ + corner.y * v_; }
 
  private:
   bool cut(Index other);

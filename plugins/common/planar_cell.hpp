@@ -40,6 +40,9 @@ class PlanarCell {
   /// Distance of the farthest corner, real or not: a site farther than twice this cuts nothing.
   double farthest() const noexcept { return farthest_; }
 
+  /// Both edges of the corner are bisectors, and it is within reach.
+  bool real(std::size_t corner) const;
+
   /// Every corner is real.
   bool bounded() const;
 
@@ -50,7 +53,6 @@ class PlanarCell {
   std::optional<double> farthest_edge() const;
 
  private:
-  bool real(std::size_t corner) const;
   void measure();
 
   double reach_ = 0, farthest_ = 0;

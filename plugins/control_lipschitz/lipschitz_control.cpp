@@ -17,20 +17,9 @@ namespace {
 constexpr std::size_t cap_neighbours = 17;
 constexpr double cap_factor = 1.5;
 
-/// Twice the largest distance from the centroid: no two points are farther apart, and a cell that goes farther than the
-/// sample does has no end. Unlike the bounding box it turns with the sample.
-double diameter_bound(const std::vector<Vec3>& points) {
-  Vec3 sum;
-  for (const Vec3& p : points) sum = sum + (p - points.front());
-  const Vec3 centroid = points.front() + sum / static_cast<double>(points.size());
-  double farthest = 0;
-  for (const Vec3& p : points) farthest = std::max(farthest, squared_distance(p, centroid));
-  return 2 * std::sqrt(farthest);
-}
-
 std::vector<CellRadius> cell_radii(const Neighbours& neighbours, const std::vector<Index>& order,
                                    const LivePoints& live, const Tangents& tangents, RunContext& context) {
-  const double reach = diameter_bound(live.points);
+  const double reach = sample_reach(live.points);
   std::vector<CellRadius> cells(live.size());
   parallel_for(live.size(), context, {0, 0.6}, [&](std::size_t begin, std::size_t end) {
     CellRadiusFinder find(neighbours, reach);

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "plugins/common/neighbours.hpp"
+#include "plugins/common/parallel_for.hpp"
+
+namespace geodrome {
+
+/// A neighbour across an edge of the planar cell, and the corner in which the edge begins: the circumcentre, in the
+/// tangent plane, of the star's triangle (site, previous neighbour, this neighbour) if `real`.
+struct StarCorner {
+  Index site = no_index;
+  bool real = false;
+  Vec3 centre;
+};
+
+/// The planar star of every point: the triangles with the neighbours whose cells meet its cell in its tangent plane
+/// (Section 2.3, lines 1 to 3 of the restricted Delaunay tetrahedrization). The paper's surface is the union of the
+/// stars; they agree on a triangle when all three corners have it.
+///
+/// Indices are those of the points of `neighbours`. Immutable; thread-safe.
+class PlanarStars {
+ public:
+  /// Unit `normals`, one per point; `reach` as for CellRadiusFinder. At least two points. O(n log n).
+  PlanarStars(const Neighbours& neighbours, std::span<const Vec3> normals, double reach, RunContext& context,
+              ProgressShare share);
+
+  std::size_t size() const noexcept { return first_.size() - 1; }
+
+  /// The neighbours of a point, counter-clockwise around its normal.
+  std::span<const StarCorner> operator()(Index point) const {
+    return {corners_.data() + first_[point], first_[point + 1] - first_[point]};
+  }
+
+  /// True if the star of `point` has the triangle with `a` and `b`, in either order. O(neighbours).
+  bool has(Index point, Index a, Index b) const;
+
+  /// How far the cell reaches; uncapped.
+  double radius(Index point) const { return radius_[point]; }
+  bool bounded(Index point) const { return bounded_[point] != 0; }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<StarCorner> corners_;
+  std::vector<double> radius_;
+  std::vector<char> bounded_;
+};
+
+/// How well the stars agree. A triangle that not all its corners have is inconsistent, unless a fourth point is as near
+/// to its centre: such cocircular ties (lattices) may be broken either way, and mean nothing.
+struct StarAgreement {
+  double inconsistent = 0;    ///< share of the triangles that are no ties
+  double ties = 0;            ///< share of all triangles
+  std::vector<Index> places;  ///< points with an inconsistent triangle, ascending
+};
+
+/// O(n log n).
+StarAgreement agreement(const PlanarStars& stars, const Neighbours& neighbours);
+
+}  // namespace geodrome
