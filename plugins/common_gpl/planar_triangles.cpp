@@ -10,6 +10,7 @@
 #include <cmath>
 #include <utility>
 
+#include "plugins/common/finished_surface.hpp"
 #include "plugins/common_gpl/guarded.hpp"
 
 namespace geodrome {
@@ -18,6 +19,38 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 Vec3 vec(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+/// How far points go along their main axis, across it, and off their plane.
+struct Spread {
+  PlaneFrame frame;
+  double along = 0, across = 0, off_plane = 0;
+};
+
+Spread spread_of(std::span<const Vec3> points) {
+  Vec3 centre;
+  for (const Vec3& p : points) centre = centre + p / static_cast<double>(points.size());
+  Spread spread;
+  for (const Vec3& p : points) spread.along = std::max(spread.along, distance(p, centre));
+  if (!(spread.along > 0)) return spread;
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (const Vec3& p : points) {
+    const Vec3 d = (p - centre) / spread.along;
+    const Eigen::Vector3d v(d.x, d.y, d.z);
+    covariance += v * v.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
+  Eigen::Vector3d normal = axes.eigenvectors().col(0), x = axes.eigenvectors().col(2);
+  Eigen::Index largest = 0;
+  normal.cwiseAbs().maxCoeff(&largest);
+  if (normal[largest] < 0) normal = -normal;
+  spread.frame = {centre, vec(x), vec(normal.cross(x))};
+  for (const Vec3& p : points) {
+    const Vec3 d = p - centre;
+    spread.off_plane = std::max(spread.off_plane, std::abs(dot(d, vec(normal))));
+    spread.across = std::max(spread.across, norm(cross(d, vec(x))));
+  }
+  return spread;
+}
 
 }  // namespace
 
@@ -32,35 +65,19 @@ bool FaceRule::allows(Index a, Index b, Index c) const {
 }
 
 std::optional<PlaneFrame> common_plane(std::span<const Vec3> points) {
-  Vec3 centre;
-  for (const Vec3& p : points) centre = centre + p / static_cast<double>(points.size());
-  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  double extent = 0;
-  for (const Vec3& p : points) extent = std::max(extent, distance(p, centre));
-  if (!(extent > 0)) throw SampleError("the kept points are at one place");
-  for (const Vec3& p : points) {
-    const Vec3 d = (p - centre) / extent;
-    const Eigen::Vector3d v(d.x, d.y, d.z);
-    covariance += v * v.transpose();
-  }
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(covariance);
-  Eigen::Vector3d normal = axes.eigenvectors().col(0), x = axes.eigenvectors().col(2);
-  Eigen::Index largest = 0;
-  normal.cwiseAbs().maxCoeff(&largest);
-  if (normal[largest] < 0) normal = -normal;
-  double off_plane = 0, off_line = 0;
-  for (const Vec3& p : points) {
-    const Vec3 d = p - centre;
-    off_plane = std::max(off_plane, std::abs(dot(d, vec(normal))));
-    off_line = std::max(off_line, norm(cross(d, vec(x))));
-  }
-  if (off_line <= planar_tolerance * extent)
+  const Spread spread = spread_of(points);
+  if (spread.across <= planar_tolerance * spread.along)
     throw SampleError("the kept points lie on a line", "a surface needs points that span at least a plane");
-  if (off_plane > planar_tolerance * extent) return std::nullopt;
-  return PlaneFrame{centre, vec(x), vec(normal.cross(x))};
+  if (spread.off_plane > planar_tolerance * spread.along) return std::nullopt;
+  return spread.frame;
 }
 
-std::vector<Triangle> planar_triangles(const PlaneFrame& frame, const FaceRule& rule, std::size_t& cut) {
+bool on_a_line(std::span<const Vec3> points) {
+  const Spread spread = spread_of(points);
+  return spread.across <= planar_tolerance * spread.along;
+}
+
+std::vector<Triangle> planar_surface(const PlaneFrame& frame, const FaceRule& rule, std::vector<Finding>& findings) {
   using Vertex = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
   using Delaunay = CGAL::Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vertex>>;
   std::vector<std::pair<Kernel::Point_2, Index>> flat;
@@ -71,6 +88,7 @@ std::vector<Triangle> planar_triangles(const PlaneFrame& frame, const FaceRule& 
   return guarded([&] {
     const Delaunay delaunay(flat.begin(), flat.end());
     std::vector<Triangle> faces;
+    std::size_t cut = 0;
     for (const auto& face : delaunay.finite_face_handles()) {
       const Triangle t{face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
       if (rule.allows(t[0], t[1], t[2]))
@@ -78,6 +96,10 @@ std::vector<Triangle> planar_triangles(const PlaneFrame& frame, const FaceRule& 
       else
         ++cut;
     }
+    findings.push_back(finding(Finding::Severity::note, "planar",
+                               "the sample, or a piece of it, is planar and was triangulated in its plane; " +
+                                   counted(cut, "triangle", "triangles") + " too large for psi left out.",
+                               cut));
     return faces;
   });
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "geodrome/finding.hpp"
 #include "geodrome/surface.hpp"
 
 namespace geodrome {
@@ -37,7 +38,10 @@ inline constexpr double planar_tolerance = 1e-6;
 /// The plane of the points, or nothing. Throws SampleError if they lie on a line. O(n).
 std::optional<PlaneFrame> common_plane(std::span<const Vec3> points);
 
-/// The Delaunay triangles in the plane that the rule allows, oriented with the frame; `cut` counts those it does not.
-std::vector<Triangle> planar_triangles(const PlaneFrame& frame, const FaceRule& rule, std::size_t& cut);
+/// True if the points lie on a line, up to `planar_tolerance` of their extent. O(n).
+bool on_a_line(std::span<const Vec3> points);
+
+/// The Delaunay triangles in the plane that the rule allows, oriented with the frame; a note says how many it does not.
+std::vector<Triangle> planar_surface(const PlaneFrame& frame, const FaceRule& rule, std::vector<Finding>& findings);
 
 }  // namespace geodrome

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "geodrome/options.hpp"
-#include "geodrome/surface_reconstructor.hpp"
+#include "plugins/common/finished_surface.hpp"
 
 namespace geodrome {
 
@@ -20,7 +20,7 @@ class AdvancingFront final : public SurfaceReconstructor {
       choice_option("boundary", "auto", "auto|closed|open",
                     "auto: a boundary is allowed and reported; closed: it is an error; open: it is expected")};
 
-  explicit AdvancingFront(const OptionValues& values) : boundary_(values.text("boundary")) {}
+  explicit AdvancingFront(const OptionValues& values) : boundary_(boundary_rule(values.text("boundary"))) {}
 
   /// Throws SampleError if there are fewer than three points, all on a line, no faces, an edge of three faces, no
   /// orientation, a boundary under boundary=closed, or over 5 % of the points are left out. O(n log n) typically.
@@ -28,7 +28,7 @@ class AdvancingFront final : public SurfaceReconstructor {
                              std::span<const Index> kept, RunContext& context) const override;
 
  private:
-  std::string boundary_;
+  BoundaryRule boundary_;
 };
 
 }  // namespace geodrome

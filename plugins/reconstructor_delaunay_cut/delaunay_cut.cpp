@@ -2,147 +2,245 @@
 #include "plugins/reconstructor_delaunay_cut/delaunay_cut.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <string>
+#include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "plugins/common/cell_radius.hpp"
-#include "plugins/common/manifold_faces.hpp"
+#include "plugins/common/face_deletion.hpp"
+#include "plugins/common/spatial_order.hpp"
 #include "plugins/common_gpl/planar_triangles.hpp"
-#include "plugins/reconstructor_delaunay_cut/lids.hpp"
-#include "plugins/reconstructor_delaunay_cut/manifold_repair.hpp"
 #include "plugins/reconstructor_delaunay_cut/orient_normals.hpp"
+#include "plugins/reconstructor_delaunay_cut/piece_surface.hpp"
 
 namespace geodrome {
 namespace {
 
-struct Clock {
-  std::chrono::steady_clock::time_point t = std::chrono::steady_clock::now();
-  void lap(const char* what) {
-    auto now = std::chrono::steady_clock::now();
-    if (std::getenv("LAPS")) std::fprintf(stderr, "%s %.2f s\n", what, std::chrono::duration<double>(now - t).count());
-    t = now;
+/// Shares of inconsistent star triangles: smooth samples that came out right had up to 0.20, wrong surfaces 0.29 and
+/// more.
+constexpr double warn_stars = 0.10, refuse_stars = 0.20;
+/// Repairs of more than this share of the points are guesses.
+constexpr double most_repaired = 0.02;
+/// A piece with fewer points bounds no volume.
+constexpr std::size_t least_points = 4;
+
+/// The points of one piece, along a curve that keeps neighbours together: the tetrahedra inherit the order.
+OrientedPiece piece_of(const std::vector<Index>& members, const KeptPoints& kept, const std::vector<Vec3>& normals) {
+  std::vector<Vec3> points;
+  for (const Index k : members) points.push_back(kept.points[k]);
+  OrientedPiece piece;
+  for (const Index i : spatial_order(points)) {
+    const Index k = members[i];
+    piece.points.push_back(kept.points[k]);
+    piece.normals.push_back(normals[k]);
+    piece.psi.push_back(kept.psi[k]);
+    piece.kept.push_back(k);
   }
+  return piece;
+}
+
+/// What all pieces together gave; points are kept points.
+struct Gathered {
+  std::vector<Triangle> faces;
+  std::vector<Index> repaired, unresolved, closed_gaps, bridges, holes;
+  std::size_t flips = 0, lids = 0, gaps = 0, rounds = 0, bubble_faces = 0;
+  double epsilon = 0;
 };
 
-std::vector<Triangle> border(const Tetrahedra& tetrahedra, const Labels& inside) {
-  std::vector<Triangle> faces;
-  for (Index c = 0; c < tetrahedra.size(); ++c)
-    for (int i = 0; i < 4 && inside[c]; ++i)
-      if (!inside[tetrahedra.neighbours[c][i]]) faces.push_back(facet_of(tetrahedra.corners[c], i));
-  return faces;
+std::vector<Index> translated(const std::vector<Index>& indices, const std::vector<Index>& to) {
+  std::vector<Index> result;
+  for (const Index i : indices) result.push_back(to[i]);
+  std::sort(result.begin(), result.end());
+  return result;
 }
 
-std::size_t turn_with_border(const Tetrahedra& tetrahedra, const Labels& inside, OrientedPiece& piece) {
-  std::vector<double> vote(piece.points.size(), 0);
-  std::vector<int> count(piece.points.size(), 0);
-  for (const auto& [a, b, c] : border(tetrahedra, inside)) {
-    const Vec3 away = cross(piece.points[b] - piece.points[a], piece.points[c] - piece.points[a]);
-    for (const Index p : {a, b, c}) vote[p] += dot(away, piece.normals[p]) / norm(away), ++count[p];
-  }
-  static const double vt = std::getenv("VT") ? std::atof(std::getenv("VT")) : 0.2;
-  std::size_t turned = 0;
-  for (Index p = 0; p < vote.size(); ++p)
-    if (vote[p] < -vt * count[p] && count[p] > 0) piece.normals[p] = -piece.normals[p], ++turned;
-  return turned;
+void append(std::vector<Index>& all, const std::vector<Index>& more) {
+  all.insert(all.end(), more.begin(), more.end());
 }
+
+void gather_faces(const std::vector<Triangle>& faces, const std::vector<Index>& kept, Gathered& all) {
+  for (const auto& [a, b, c] : faces) all.faces.push_back({kept[a], kept[b], kept[c]});
+}
+
+/// Opens the gaps that the rule calls holes.
+void gather(const PieceSurface& surface, const OrientedPiece& piece, BoundaryRule rule, const std::vector<double>& phi,
+            Gathered& all) {
+  std::vector<Index> lids;
+  for (const Gap& gap : surface.gaps) {
+    const bool opened = rule == BoundaryRule::open || (rule == BoundaryRule::automatic && gap.hole);
+    if (opened) append(lids, gap.faces), ++all.lids;
+    if (!opened && !gap.hole && !gap.disk) append(all.bridges, translated(gap.places, piece.kept));
+    if (!opened && !gap.hole) append(all.closed_gaps, translated(gap.places, piece.kept)), ++all.gaps;
+    if (gap.hole) append(all.holes, translated(gap.places, piece.kept));
+  }
+  std::sort(lids.begin(), lids.end());
+  gather_faces(without_faces(surface.faces, lids, piece.points.size()), piece.kept, all);
+  append(all.repaired, translated(surface.repaired, piece.kept));
+  append(all.unresolved, translated(surface.unresolved, piece.kept));
+  all.flips += surface.flips, all.bubble_faces += surface.bubble_faces;
+  all.rounds = std::max(all.rounds, surface.rounds);
+  for (std::size_t p = 0; p < surface.feature_size.size(); ++p)
+    all.epsilon = std::max(all.epsilon, phi[piece.kept[p]] / surface.feature_size[p]);
+}
+
+class Reconstructing {
+ public:
+  Reconstructing(const PointSample& sample, const Tangents& tangents, const Control& control, BoundaryRule boundary,
+                 bool allow_stars, std::span<const Index> kept, RunContext& context)
+      : sample_(sample),
+        tangents_(tangents),
+        boundary_(boundary),
+        allow_stars_(allow_stars),
+        context_(context),
+        kept_(kept_points(sample, tangents, control, kept)) {
+    for (const Index i : kept) phi_.push_back(control.phi[i]);
+  }
+
+  Reconstruction run() {
+    const FaceRule rule{kept_.points, kept_.psi, true};
+    if (const auto plane = common_plane(kept_.points)) {
+      std::vector<Triangle> faces = planar_surface(*plane, rule, result_.findings);
+      close_up(std::move(faces));
+      return std::move(result_);
+    }
+    cut_pieces();
+    judge_repairs();
+    close_up(std::move(all_.faces));
+    return std::move(result_);
+  }
+
+ private:
+  void cut_pieces() {
+    const Neighbours neighbours(kept_.points);
+    const PlanarStars stars(neighbours, kept_.normals, sample_reach(kept_.points), context_, {0, 0.2});
+    judge_stars(agreement(stars, neighbours), stars);
+    const OrientedSample oriented = orient(stars, kept_.points, kept_.normals, kept_.psi, FaceRule::edge_bound);
+    context_.progress(0.3);
+    std::size_t done = 0;
+    for (const std::vector<Index>& members : oriented.pieces) {
+      context_.throw_if_cancelled();
+      cut_one(members, oriented.normals, stars);
+      done += members.size();
+      context_.progress(0.3 + 0.6 * static_cast<double>(done) / static_cast<double>(kept_.points.size()));
+    }
+    context_.measure("flips", static_cast<double>(all_.flips));
+    context_.measure("lids", static_cast<double>(all_.lids));
+    context_.measure("rounds", static_cast<double>(all_.rounds));
+    if (all_.epsilon > 0) context_.measure("epsilon", all_.epsilon);
+  }
+
+  void cut_one(const std::vector<Index>& members, const std::vector<Vec3>& normals, const PlanarStars& stars) {
+    if (members.size() < least_points) return;
+    const OrientedPiece piece = piece_of(members, kept_, normals);
+    if (on_a_line(piece.points)) return;
+    if (const auto plane = common_plane(piece.points)) {
+      const FaceRule rule{piece.points, piece.psi, true};
+      gather_faces(planar_surface(*plane, rule, result_.findings), piece.kept, all_);
+      return;
+    }
+    gather(cut_piece(piece, stars, context_), piece, boundary_, phi_, all_);
+  }
+
+  void judge_stars(const StarAgreement& stars, const PlanarStars& cells) {
+    context_.measure("inconsistent_stars", stars.inconsistent);
+    context_.measure("star_ties", stars.ties);
+    inconsistent_ = stars.inconsistent;
+    std::vector<Index> worst = stars.places;
+    const auto relative = [&](Index p) { return cells.radius(p) / kept_.psi[p]; };
+    std::stable_sort(worst.begin(), worst.end(), [&](Index a, Index b) { return relative(a) > relative(b); });
+    const std::string share = std::to_string(std::lround(1000 * stars.inconsistent) / 10.0).substr(0, 4);
+    if (!worst.empty())
+      add(stars.inconsistent > warn_stars ? Finding::Severity::warning : Finding::Severity::note, "inconsistent_stars",
+          share +
+              " % of the star triangles are not shared by the stars of all their corners: the sample is sparse for "
+              "the shape there.",
+          worst);
+    if (stars.inconsistent > refuse_stars && !allow_stars_)
+      refuse("the planar stars disagree on " + share + " % of their triangles (at most 20 %)");
+  }
+
+  void judge_repairs() {
+    if (!all_.repaired.empty())
+      add(Finding::Severity::note, "repaired",
+          counted(all_.flips, "tetrahedron", "tetrahedra") + " changed sides to make the surface a 2-manifold.",
+          all_.repaired);
+    if (all_.bubble_faces > 0)
+      result_.findings.push_back(
+          finding(Finding::Severity::warning, "dropped_faces",
+                  counted(all_.bubble_faces, "face", "faces") + " of pockets too small for a surface were left out.",
+                  all_.bubble_faces));
+    if (all_.gaps > 0)
+      add(Finding::Severity::note, "closed_gaps",
+          counted(all_.gaps, "place is", "places are") +
+              " thinner sampled than psi explains and were closed: say boundary=open if they are holes.",
+          all_.closed_gaps);
+    if (!all_.unresolved.empty()) {
+      add(Finding::Severity::refusal, "not_a_manifold", "no labelling makes the surface a 2-manifold there.",
+          all_.unresolved);
+      refuse("the surface is no 2-manifold at " + counted(all_.unresolved.size(), "point", "points"));
+    }
+    if (!all_.bridges.empty()) {
+      add(Finding::Severity::refusal, "bridge",
+          "faces that psi does not explain join parts of the surface there: a handle or a tunnel that the sample does "
+          "not show.",
+          all_.bridges);
+      refuse("the surface has a handle or a tunnel that the sample does not show, at point " +
+             std::to_string(kept_.sample[all_.bridges.front()]));
+    }
+    if (static_cast<double>(all_.repaired.size()) > most_repaired * static_cast<double>(kept_.points.size()))
+      refuse("the surface had to be repaired at " + std::to_string(all_.repaired.size()) + " of " +
+             std::to_string(kept_.points.size()) + " points (at most 2 %)");
+    if (boundary_ == BoundaryRule::closed && !all_.holes.empty()) {
+      add(Finding::Severity::refusal, "boundary", "the sample shows a hole there.", all_.holes);
+      throw SampleError("the sample shows a hole, at point " + std::to_string(kept_.sample[all_.holes.front()]),
+                        "sample it, or allow a boundary with boundary=auto", std::move(result_.findings));
+    }
+  }
+
+  void add(Finding::Severity severity, const char* code, std::string message, const std::vector<Index>& places) {
+    result_.findings.push_back(finding(severity, code, std::move(message), places.size(), translated_in_order(places)));
+  }
+  std::vector<Index> translated_in_order(const std::vector<Index>& places) const {
+    std::vector<Index> sample;
+    for (const Index p : places) sample.push_back(kept_.sample[p]);
+    return sample;
+  }
+
+  /// Disagreement falls as 1 / n: that says which density would do.
+  [[noreturn]] void refuse(std::string what) {
+    const double psi = *std::max_element(kept_.psi.begin(), kept_.psi.end());
+    if (tangents_.sigma > 0 && 5 * tangents_.sigma >= psi)
+      throw SampleError("the sample is too noisy: " + what + ", with noise of " + std::to_string(tangents_.sigma),
+                        "measure more precisely, or smooth the points", std::move(result_.findings));
+    const double more = std::max(2.0, inconsistent_ / warn_stars);
+    const auto wanted = static_cast<std::size_t>(std::ceil(more * static_cast<double>(sample_.size()) / 1000) * 1000);
+    throw SampleError("the sample is too sparse for its shape: " + what,
+                      "about " + std::to_string(wanted) + " points as evenly spread would do (now " +
+                          std::to_string(sample_.size()) + "), most of them at the places named; or keep all points " +
+                          "with --decimator none",
+                      std::move(result_.findings));
+  }
+
+  void close_up(std::vector<Triangle> faces) { finish(result_, std::move(faces), kept_, sample_, boundary_); }
+
+  const PointSample& sample_;
+  const Tangents& tangents_;
+  const BoundaryRule boundary_;
+  const bool allow_stars_;
+  RunContext& context_;
+  const KeptPoints kept_;
+  std::vector<double> phi_;
+  double inconsistent_ = 0;
+  Gathered all_;
+  Reconstruction result_;
+};
 
 }  // namespace
 
 Reconstruction DelaunayCut::reconstruct(const PointSample& sample, const Tangents& tangents, const Control& control,
                                         std::span<const Index> kept, RunContext& context) const {
-  if (kept.size() < 4) throw SampleError("few");
-  Clock clock;
-  std::vector<Vec3> points, normals;
-  std::vector<double> psi;
-  for (const Index i : kept) {
-    points.push_back(sample.points[i]);
-    normals.push_back(tangents.plane[i].normal);
-    psi.push_back(control.psi[i]);
-  }
-  const Neighbours neighbours(points);
-  const PlanarStars stars(neighbours, normals, sample_reach(points), context, {0, 0.3});
-  clock.lap("stars");
-  const StarAgreement agree = agreement(stars, neighbours);
-  clock.lap("agreement");
-  OrientedSample oriented = orient(stars, points, normals, psi, FaceRule::edge_bound);
-  clock.lap("orient");
-  if (std::getenv("LAPS")) std::fprintf(stderr, "inconsistent %.4f ties %.4f pieces %zu\n", agree.inconsistent, agree.ties, oriented.pieces.size());
-  if (const char* dump = std::getenv("DUMP")) {
-    std::FILE* out = std::fopen(dump, "w");
-    for (std::size_t i = 0; i < points.size(); ++i)
-      std::fprintf(out, "%u %.9g %.9g %.9g %.6g %.6g %.6g %.6g %.6g %d\n", kept[i], points[i].x, points[i].y, points[i].z, oriented.normals[i].x, oriented.normals[i].y, oriented.normals[i].z, psi[i], stars.radius(i), (int)control.state[kept[i]]);
-    std::fclose(out);
-  }
-  std::vector<Triangle> faces;
-  std::size_t flips = 0, unresolved = 0, lid_count = 0;
-  for (const auto& members : oriented.pieces) {
-    if (members.size() < 4) continue;
-    OrientedPiece piece;
-    for (const Index k : members) {
-      piece.points.push_back(points[k]);
-      piece.normals.push_back(oriented.normals[k]);
-      piece.psi.push_back(psi[k]);
-      piece.kept.push_back(k);
-    }
-    const Tetrahedra tetrahedra = delaunay_tetrahedra(piece.points);
-    clock.lap("delaunay");
-    CutCosts costs;
-    Labels inside;
-    for (int round = 0; round < 5; ++round) {
-      costs = cut_costs(tetrahedra, piece, stars);
-      clock.lap("costs");
-      inside = cheapest_labels(tetrahedra, costs);
-      clock.lap("cut");
-      const std::size_t turned = turn_with_border(tetrahedra, inside, piece);
-      if (std::getenv("LAPS")) std::fprintf(stderr, "round %d inconsistent, turned %zu\n", round, turned);
-      if (turned == 0) break;
-    }
-    const CellsOfPoint cells_of(tetrahedra, piece.points.size());
-    const RepairRecord repair = make_manifold(tetrahedra, costs, cells_of, piece.points.size(), inside);
-    clock.lap("repair");
-    if (std::getenv("CELLS")) {
-      Index v = static_cast<Index>(std::atoi(std::getenv("CELLS")));
-      for (Index p = 0; p < piece.kept.size(); ++p) if (kept[piece.kept[p]] == v)
-        for (Index c : cells_of(p)) {
-          std::fprintf(stderr, "cell inf %d in %d cost %d cut %d %d %d %d nb", tetrahedra.infinite(c), inside[c], costs.inside[c], costs.cut[c][0], costs.cut[c][1], costs.cut[c][2], costs.cut[c][3]);
-          for (int i = 0; i < 4; ++i) std::fprintf(stderr, " %d", inside[tetrahedra.neighbours[c][i]]);
-          for (Index q : tetrahedra.corners[c]) if (q != no_index) std::fprintf(stderr, " (%.3f %.3f %.3f)", piece.points[q].x, piece.points[q].y, piece.points[q].z);
-          std::fprintf(stderr, "\n");
-        }
-    }
-    flips += repair.flips, unresolved += repair.unresolved.size();
-    std::vector<Triangle> here = border(tetrahedra, inside);
-    const Lids lids = find_lids(here, piece, stars, boundary_ == "open" ? BoundaryRule::open : BoundaryRule::automatic);
-    here = without(here, lids, piece.points.size());
-    lid_count += lids.count;
-    for (Triangle t : here) {
-      for (Index& v : t) v = piece.kept[v];
-      faces.push_back(t);
-    }
-    clock.lap("border");
-  }
-  Reconstruction result;
-  std::vector<Index> vertex_of(points.size(), no_index);
-  for (const Triangle& t : faces)
-    for (const Index p : t) vertex_of[p] = 0;
-  std::vector<Vec3> positions;
-  for (Index p = 0; p < points.size(); ++p) {
-    if (vertex_of[p] == no_index) continue;
-    vertex_of[p] = static_cast<Index>(positions.size());
-    positions.push_back(points[p]);
-    result.sample_of_vertex.push_back(kept[p]);
-  }
-  for (Triangle& t : faces)
-    for (Index& p : t) p = vertex_of[p];
-  if (faces.empty()) throw SampleError("no faces");
-  if (std::getenv("LAPS"))
-    std::fprintf(stderr, "flips %zu unresolved %zu unused %zu of %zu lids %zu\n", flips, unresolved,
-                 points.size() - positions.size(), points.size(), lid_count);
-  result.mesh = std::make_shared<const SurfaceMesh>(std::move(positions), std::move(faces));
-  clock.lap("mesh");
-  return result;
+  context.throw_if_cancelled();
+  return Reconstructing(sample, tangents, control, boundary_, allow_stars_, kept, context).run();
 }
 
 }  // namespace geodrome

@@ -6,7 +6,6 @@
 #include <boost/graph/compressed_sparse_row_graph.hpp>
 #include <boost/property_map/property_map.hpp>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 namespace geodrome {
@@ -19,10 +18,14 @@ constexpr double scale = 10'000;
 constexpr std::uint16_t facet_cost[] = {4000, 2000, 1000, 0};
 
 /// The stars that have a facet say on which sides of it its two cells are: what that adds to their scores.
-constexpr std::int32_t facet_evidence[] = {0, 500, 1500, 3000};
+constexpr std::int32_t facet_evidence[] = {0, 1000, 3000, 6000};
 
 /// Volume over the cube of the longest edge below which a cell lies in the surface, and so on neither side of it.
 constexpr double flat_cell = 1e-5;
+
+/// Cells over a shallow hollow, or under a crease where normals are averaged, have small scores of either sign: no
+/// evidence.
+constexpr double dead_zone = 0.3;
 
 double score(const Tetrahedra::Cell& cell, std::span<const Vec3> points, std::span<const Vec3> normals) {
   const Vec3 &a = points[cell[0]], &b = points[cell[1]], &c = points[cell[2]], &d = points[cell[3]];
@@ -36,9 +39,8 @@ double score(const Tetrahedra::Cell& cell, std::span<const Vec3> points, std::sp
     const Vec3 way = centre - points[p];
     sum += dot(way, normals[p]) / norm(way);
   }
-  static const double dz = std::getenv("DZ") ? std::atof(std::getenv("DZ")) : 0.3;
-  const double v = sum / 4;
-  return v > 0 ? std::max(0.0, v - dz) : std::min(0.0, v + dz);
+  const double mean = sum / 4;
+  return mean > 0 ? std::max(0.0, mean - dead_zone) : std::min(0.0, mean + dead_zone);
 }
 
 /// 1 if the normals of all three corners look to the facet's front, -1 if to its back, 0 if they do not agree.
@@ -144,9 +146,6 @@ Labels Network::minimal_cut() {
 
 CutCosts cut_costs(const Tetrahedra& tetrahedra, const OrientedPiece& piece, const PlanarStars& stars) {
   CutCosts costs;
-  static const double ev = std::getenv("EV") ? std::atof(std::getenv("EV")) : 2;
-  std::int32_t facet_evidence[4];
-  for (int i = 0; i < 4; ++i) facet_evidence[i] = static_cast<std::int32_t>(ev * ::geodrome::facet_evidence[i]);
   costs.inside.resize(tetrahedra.size(), 0);
   costs.cut.resize(tetrahedra.size());
   for (Index c = 0; c < tetrahedra.size(); ++c) {

@@ -28,8 +28,10 @@ struct CutCosts {
 /// The sides that the oriented tangent planes give, and which facets the stars have.
 ///
 /// A cell's score is the mean over its corners p of (c - p).n / |c - p| with c its centroid: towards 1 outside, towards
-/// -1 inside, 0 where it is too flat to be on a side. A facet that 3, 2, 1, 0 of its corners' stars have costs 0.02,
-/// 0.1, 0.2, 0.4.
+/// -1 inside, 0 where it is too flat to be on a side; what is nearer to 0 than 0.3 counts as 0. A facet that 3, 2, 1, 0
+/// of its corners' stars have costs 0, 0.1, 0.2, 0.4 if it is cut, and moves the scores of its two cells apart by 0.6,
+/// 0.3, 0.1, 0 each, if its corners' normals agree which of them is outside: a facet that all stars have is a face, and
+/// flat cells beside it must not cover it.
 CutCosts cut_costs(const Tetrahedra& tetrahedra, const OrientedPiece& piece, const PlanarStars& stars);
 
 /// 1 for cells inside, 0 for cells outside; infinite cells are outside.

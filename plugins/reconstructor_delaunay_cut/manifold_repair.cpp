@@ -8,7 +8,8 @@
 namespace geodrome {
 namespace {
 
-/// How often a cell may change sides. Once is the rule; a second and a third time undo what a neighbour's repair spoilt.
+/// How often a cell may change sides. Once is the rule; a second and a third time undo what a neighbour's repair
+/// spoilt.
 constexpr std::uint8_t most_flips = 3;
 
 /// Cells around a point that hang together on one side, and what flipping them costs.
@@ -81,7 +82,9 @@ class Repair {
   /// Change of the labelling's cost when a group changes sides; none if a cell of it may not.
   bool price(Group& group) const {
     group.cost = 0;
-    const auto in_group = [&](Index c) { return std::find(group.cells.begin(), group.cells.end(), c) != group.cells.end(); };
+    const auto in_group = [&](Index c) {
+      return std::find(group.cells.begin(), group.cells.end(), c) != group.cells.end();
+    };
     for (const Index c : group.cells) {
       if (tetrahedra_.infinite(c) || flips_[c] >= most_flips) return false;
       group.cost += group.inside ? -costs_.inside[c] : costs_.inside[c];

@@ -18,7 +18,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_3<Index, Kernel>;
-using CellBase = CGAL::Triangulation_cell_base_with_info_3<Index, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
+using CellBase =
+    CGAL::Triangulation_cell_base_with_info_3<Index, Kernel, CGAL::Delaunay_triangulation_cell_base_3<Kernel>>;
 using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<VertexBase, CellBase>>;
 
 /// Sorts the corners by exchanges of three, which keep the orientation: at most the last two stay out of order.
@@ -69,7 +70,8 @@ Tetrahedra flatten(const Delaunay& delaunay) {
 Tetrahedra delaunay_tetrahedra(std::span<const Vec3> points) {
   std::vector<std::pair<Kernel::Point_3, Index>> given;
   given.reserve(points.size());
-  for (Index i = 0; i < points.size(); ++i) given.emplace_back(Kernel::Point_3(points[i].x, points[i].y, points[i].z), i);
+  for (Index i = 0; i < points.size(); ++i)
+    given.emplace_back(Kernel::Point_3(points[i].x, points[i].y, points[i].z), i);
   return guarded([&] {
     const Delaunay delaunay(given.begin(), given.end());
     return delaunay.dimension() < 3 ? Tetrahedra{} : flatten(delaunay);

@@ -9,8 +9,8 @@
 
 namespace geodrome {
 
-/// A 3D Delaunay triangulation as flat arrays. Infinite cells have the corner `no_index`, as their last or last but one.
-/// The cells, and each cell's corners, are in an order that depends on the points alone.
+/// A 3D Delaunay triangulation as flat arrays. Infinite cells have the corner `no_index`, as their last or last but
+/// one. The cells, and each cell's corners, are in an order that depends on the points alone.
 struct Tetrahedra {
   using Cell = std::array<Index, 4>;
 

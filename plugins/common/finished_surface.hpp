@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+
+#include "geodrome/surface_reconstructor.hpp"
+
+namespace geodrome {
+
+/// Whether a surface may have a boundary: automatic where the sample shows one, never, or as expected.
+enum class BoundaryRule { automatic, closed, open };
+
+/// The rule of an option's value "auto", "closed" or "open".
+BoundaryRule boundary_rule(const std::string& word);
+
+/// A finding about sample points, with the first few of `places` as elements.
+Finding finding(Finding::Severity severity, const char* code, std::string message, std::size_t count,
+                std::vector<Index> places = {});
+
+/// "1 face", "2 faces".
+std::string counted(std::size_t count, const char* one, const char* many);
+
+/// The kept points as a reconstructor works on them, and which sample points they are.
+struct KeptPoints {
+  std::vector<Vec3> points, normals;
+  std::vector<double> psi;
+  std::vector<Index> sample;
+};
+
+/// Normals are those of the tangent planes. Throws SampleError for fewer than three points.
+KeptPoints kept_points(const PointSample& sample, const Tangents& tangents, const Control& control,
+                       std::span<const Index> kept);
+
+/// Makes `faces` (corners: kept points) the mesh of `result`: puts them in an order that depends on nothing else,
+/// leaves out points without a face, adds what is to be said of these, of boundary and components, and the inserter.
+///
+/// Throws SampleError if there are no faces, they are no oriented 2-manifold, more than 5 % of the points have none, or
+/// there is a boundary that the rule forbids; it carries the findings made so far.
+void finish(Reconstruction& result, std::vector<Triangle> faces, const KeptPoints& kept, const PointSample& sample,
+            BoundaryRule rule);
+
+}  // namespace geodrome
