@@ -10,9 +10,10 @@
 namespace geodrome {
 namespace {
 
-/// Four points count as cocircular if their distances from the centre differ by less than this share: far above the
-/// jitter of a stored lattice, and in random samples true of well under a percent of the triangles.
-constexpr double tie_tolerance = 1e-3;
+/// Four points count as cocircular if their distances from the centre differ by less than this share: either way to
+/// split them serves as well. Far above the jitter of a stored lattice; a few percent of the triangles of a random
+/// sample.
+constexpr double tie_tolerance = 0.03;
 
 struct Star {
   std::vector<StarCorner> corners;
@@ -66,7 +67,7 @@ bool PlanarStars::has(Index point, Index a, Index b) const {
   return false;
 }
 
-StarAgreement agreement(const PlanarStars& stars, const Neighbours& neighbours) {
+StarAgreement agreement(const PlanarStars& stars, const Neighbours& neighbours, std::span<const double> farthest) {
   StarAgreement result;
   // A triangle of k stars is met k times, each time with a third of the weight that makes it one.
   std::vector<Neighbour> found;
@@ -75,7 +76,7 @@ StarAgreement agreement(const PlanarStars& stars, const Neighbours& neighbours) 
     const std::span<const StarCorner> star = stars(s);
     bool here = false;
     for (std::size_t i = 0; i < star.size(); ++i) {
-      if (!star[i].real) continue;
+      if (!star[i].real || distance(star[i].centre, neighbours.points()[s]) > farthest[s]) continue;
       const Index a = star[i == 0 ? star.size() - 1 : i - 1].site, b = star[i].site;
       const int holders = 1 + stars.has(a, s, b) + stars.has(b, s, a);
       const double weight = 1.0 / holders;

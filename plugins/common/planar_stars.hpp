@@ -50,14 +50,15 @@ class PlanarStars {
 };
 
 /// How well the stars agree. A triangle that not all its corners have is inconsistent, unless a fourth point is as near
-/// to its centre: such cocircular ties (lattices) may be broken either way, and mean nothing.
+/// to its centre: such cocircular ties (lattices) may be broken either way, and mean nothing. Triangles whose centre is
+/// too far from the point to be a face, as at a boundary, do not count.
 struct StarAgreement {
   double inconsistent = 0;    ///< share of the triangles that are no ties
   double ties = 0;            ///< share of all triangles
   std::vector<Index> places;  ///< points with an inconsistent triangle, ascending
 };
 
-/// O(n log n).
-StarAgreement agreement(const PlanarStars& stars, const Neighbours& neighbours);
+/// `farthest`: per point, how far the centre of a triangle that counts may be. O(n log n).
+StarAgreement agreement(const PlanarStars& stars, const Neighbours& neighbours, std::span<const double> farthest);
 
 }  // namespace geodrome

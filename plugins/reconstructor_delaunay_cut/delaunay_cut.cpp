@@ -113,7 +113,9 @@ class Reconstructing {
   void cut_pieces() {
     const Neighbours neighbours(kept_.points);
     const PlanarStars stars(neighbours, kept_.normals, sample_reach(kept_.points), context_, {0, 0.2});
-    judge_stars(agreement(stars, neighbours), stars);
+    std::vector<double> farthest;
+    for (const double psi : kept_.psi) farthest.push_back(FaceRule::radius_bound * psi);
+    judge_stars(agreement(stars, neighbours, farthest), stars);
     const OrientedSample oriented = orient(stars, kept_.points, kept_.normals, kept_.psi, FaceRule::edge_bound);
     context_.progress(0.3);
     std::size_t done = 0;

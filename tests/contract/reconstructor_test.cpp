@@ -8,36 +8,33 @@
 #include "geodrome/surface_reconstructor.hpp"
 #include "support/discovered.hpp"
 #include "support/meshes.hpp"
+#include "support/sample_stages.hpp"
 
 namespace geodrome::test {
 namespace {
 
 using ReconstructorPlugin = Discovered<SurfaceReconstructor>;
 
-/// psi as the real control function has it in size: the distance of the sixth nearest point.
-Control control_of(const PointSample& sample) {
-  Control control;
-  for (const Vec3& p : sample.points) {
-    std::vector<double> distances;
-    for (const Vec3& q : sample.points) distances.push_back(distance(p, q));
-    const std::size_t k = std::min<std::size_t>(6, distances.size() - 1);
-    std::nth_element(distances.begin(), distances.begin() + static_cast<std::ptrdiff_t>(k), distances.end());
-    control.psi.push_back(distances[k]);
-  }
-  control.phi = control.psi;
-  control.state.assign(sample.size(), PointState::ok);
-  return control;
+Reconstruction reconstruct(const ReconstructorPlugin& plugin, const Staged& s) {
+  QuietContext context;
+  return plugin.object->reconstruct(s.sample, s.tangents, s.control, s.kept, context);
 }
 
+/// All points kept.
 Reconstruction reconstruct(const ReconstructorPlugin& plugin, const PointSample& sample) {
-  QuietContext context;
-  Tangents tangents;
-  tangents.plane.assign(sample.size(), {});
-  tangents.state.assign(sample.size(), PointState::ok);
-  for (std::size_t i = 0; i < sample.size(); ++i) tangents.plane[i] = {sample.points[i], {0, 0, 1}, 0};
-  std::vector<Index> kept;
-  for (Index i = 0; i < sample.size(); ++i) kept.push_back(i);
-  return plugin.object->reconstruct(sample, tangents, control_of(sample), kept, context);
+  return reconstruct(plugin, staged(sample, false));
+}
+
+/// For samples that stages 1 to 3 would refuse themselves.
+Staged unstaged(const PointSample& sample) {
+  Staged s{sample, {}, {}, {}};
+  for (Index i = 0; i < sample.size(); ++i) {
+    s.tangents.plane.push_back({sample.points[i], {0, 0, 1}, 0});
+    s.kept.push_back(i);
+  }
+  s.tangents.state.assign(sample.size(), PointState::ok);
+  s.control = {std::vector<double>(sample.size(), 1), std::vector<double>(sample.size(), 1), s.tangents.state};
+  return s;
 }
 
 PointSample points_of(const MeshPtr& mesh) { return {{mesh->positions().begin(), mesh->positions().end()}}; }
@@ -88,8 +85,9 @@ class Reconstructors : public testing::TestWithParam<ReconstructorPlugin> {
 
 TEST_P(Reconstructors, MakeATorusOfATorus) {
   const PointSample sample = points_of(bumpy_torus(60, 24, 0.01, 3));
-  const Reconstruction result = reconstruct(GetParam(), sample);
-  expect_sound(result, sample);
+  const Staged s = staged(sample, false);
+  const Reconstruction result = reconstruct(GetParam(), s);
+  expect_sound(result, s.sample);
   EXPECT_TRUE(result.mesh->closed());
   EXPECT_EQ(euler_number(*result.mesh), 0);
   EXPECT_EQ(result.mesh->vertex_count(), sample.size());
@@ -103,8 +101,9 @@ TEST_P(Reconstructors, OrientClosedSurfacesOutwards) {
 
 TEST_P(Reconstructors, KeepTheBoundaryOfATube) {
   const PointSample sample = points_of(prism(40, 12, 0.16));
-  const Reconstruction result = reconstruct(GetParam(), sample);
-  expect_sound(result, sample);
+  const Staged s = staged(sample, false);
+  const Reconstruction result = reconstruct(GetParam(), s);
+  expect_sound(result, s.sample);
   EXPECT_EQ(euler_number(*result.mesh), 0) << "a tube has two boundary loops and Euler number 0";
   EXPECT_FALSE(result.mesh->closed());
   EXPECT_TRUE(reports(result, "boundary"));
@@ -114,8 +113,9 @@ TEST_P(Reconstructors, TriangulateAPlanarGridInItsPlane) {
   const PointSample sample = points_of(mapped(plane_grid(12), [](const Vec3& p) {
     return Vec3{p.x, 0.6 * p.y, 5 + 0.8 * p.y};
   }));
-  const Reconstruction result = reconstruct(GetParam(), sample);
-  expect_sound(result, sample);
+  const Staged s = staged(sample, false);
+  const Reconstruction result = reconstruct(GetParam(), s);
+  expect_sound(result, s.sample);
   EXPECT_EQ(result.mesh->face_count(), 2u * 12 * 12);
   EXPECT_EQ(euler_number(*result.mesh), 1);
 }
@@ -124,8 +124,9 @@ TEST_P(Reconstructors, DoNotFillTheNotchOfAPlanarSample) {
   PointSample sample;
   for (const Vec3& p : plane_grid(16)->positions())
     if (p.x <= 4 || p.y <= 4) sample.points.push_back(p);
-  const Reconstruction result = reconstruct(GetParam(), sample);
-  expect_sound(result, sample);
+  const Staged s = staged(sample, false);
+  const Reconstruction result = reconstruct(GetParam(), s);
+  expect_sound(result, s.sample);
   for (Index h = 0; h < 3 * result.mesh->face_count(); ++h) {
     const Vec3 p = result.mesh->positions()[result.mesh->from(h)], q = result.mesh->positions()[result.mesh->to(h)];
     EXPECT_LT(distance(p, q), 12) << "the notch is closed by an edge over its mouth, which is 12 sqrt(2) wide";
@@ -137,19 +138,20 @@ TEST_P(Reconstructors, DoNotBridgeClusters) {
   if (!file) GTEST_SKIP() << "the file is not there";
   PointSample sample;
   for (Vec3 p; file >> p.x >> p.y >> p.z;) sample.points.push_back(p);
-  const Reconstruction result = reconstruct(GetParam(), sample);
-  expect_sound(result, sample);
+  const Staged s = staged(sample, false);
+  const Reconstruction result = reconstruct(GetParam(), s);
+  expect_sound(result, s.sample);
   EXPECT_EQ(component_count(*result.mesh), 2u);
 }
 
 TEST_P(Reconstructors, RefuseALine) {
   PointSample sample;
   for (int i = 0; i < 30; ++i) sample.points.push_back({0.1 * i, 0.2 * i, 0.3 * i});
-  EXPECT_THROW(reconstruct(GetParam(), sample), SampleError);
+  EXPECT_THROW(reconstruct(GetParam(), unstaged(sample)), SampleError);
 }
 
 TEST_P(Reconstructors, RefuseTwoPoints) {
-  EXPECT_THROW(reconstruct(GetParam(), {{{0, 0, 0}, {1, 0, 0}}}), SampleError);
+  EXPECT_THROW(reconstruct(GetParam(), unstaged({{{0, 0, 0}, {1, 0, 0}}})), SampleError);
 }
 
 TEST_P(Reconstructors, GiveTheSameFacesAgain) {
@@ -162,14 +164,12 @@ TEST_P(Reconstructors, GiveTheSameFacesAgain) {
 INSTANTIATE_TEST_SUITE_P(Every, Reconstructors, testing::ValuesIn(discovered<SurfaceReconstructor>()),
                          [](const auto& info) { return info.param.name; });
 
-TEST(AdvancingFront, RefusesABoundaryWhereTheSurfaceMustBeClosed) {
-  const auto options =
-      +[](const std::string& name) -> std::string { return name == "advancing_front" ? "boundary=closed" : ""; };
-  for (const ReconstructorPlugin& plugin : discovered<SurfaceReconstructor>(options))
-    if (plugin.name == "advancing_front") {
-      EXPECT_THROW(reconstruct(plugin, points_of(plane_grid(8))), SampleError);
-      EXPECT_TRUE(reconstruct(plugin, points_of(bumpy_torus(40, 16, 0.01, 9))).mesh->closed());
-    }
+TEST(BoundaryRule, ClosedRefusesAHole) {
+  const auto options = +[](const std::string&) -> std::string { return "boundary=closed"; };
+  for (const ReconstructorPlugin& plugin : discovered<SurfaceReconstructor>(options)) {
+    EXPECT_THROW(reconstruct(plugin, points_of(plane_grid(8))), SampleError) << plugin.name;
+    EXPECT_TRUE(reconstruct(plugin, points_of(bumpy_torus(40, 16, 0.01, 9))).mesh->closed()) << plugin.name;
+  }
 }
 
 }  // namespace

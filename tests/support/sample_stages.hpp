@@ -6,7 +6,7 @@
 #include "geodrome/surface_reconstructor.hpp"
 #include "plugins/control_lipschitz/lipschitz_control.hpp"
 #include "plugins/decimator_greedy/greedy_decimation.hpp"
-#include "plugins/tangent_pca/pca_tangents.hpp"
+#include "plugins/tangent_jet/jet_tangents.hpp"
 
 namespace geodrome::test {
 
@@ -18,15 +18,20 @@ struct Staged {
   std::vector<Index> kept;
 };
 
-inline Staged staged(PointSample sample, bool decimate = true) {
+/// Without decimation every point that was not dropped is kept.
+inline Staged staged(const PointSample& sample, bool decimate = true) {
   QuietContext context;
-  Staged made{std::move(sample), {}, {}, {}};
-  made.tangents = PcaTangents(OptionValues(pca_options, "k=20")).estimate(made.sample, context);
+  Staged made{sample, {}, {}, {}};
+  made.tangents = JetTangents(OptionValues(jet_options, "")).estimate(sample, context);
+  for (std::size_t i = 0; i < sample.size(); ++i)
+    if (made.tangents.state[i] != PointState::dropped) made.sample.points[i] = made.tangents.plane[i].origin;
   made.control = LipschitzControl(OptionValues(lipschitz_options, "")).evaluate(made.sample, made.tangents, context);
-  if (decimate)
+  if (decimate) {
     made.kept = GreedyDecimation().select(made.sample, made.control, context);
-  else
-    for (Index i = 0; i < made.sample.size(); ++i) made.kept.push_back(i);
+    return made;
+  }
+  for (Index i = 0; i < sample.size(); ++i)
+    if (made.control.state[i] != PointState::dropped) made.kept.push_back(i);
   return made;
 }
 

@@ -17,7 +17,7 @@ namespace geodrome {
 
 /// Which plugin does each stage, as PluginHost::load takes it: "name[:key=value,...]".
 struct StageChoice {
-  std::string tangent = "jet", control = "lipschitz", decimator = "greedy", reconstructor = "advancing_front",
+  std::string tangent = "jet", control = "lipschitz", decimator = "greedy", reconstructor = "delaunay_cut",
               solver = "cgal";
 };
 
