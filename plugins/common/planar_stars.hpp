@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct StarCorner {
 /// (Section 2.3, lines 1 to 3 of the restricted Delaunay tetrahedrization). The paper's surface is the union of the
 /// stars; they agree on a triangle when all three corners have it.
 ///
+/// Where more than three points are equally near to a corner of a cell (cocircular ties: lattices), a star has every
+/// triangle among them, since either way to split them serves as well.
+///
 /// Indices are those of the points of `neighbours`. Immutable; thread-safe.
 class PlanarStars {
  public:
@@ -36,29 +40,37 @@ class PlanarStars {
   }
 
   /// True if the star of `point` has the triangle with `a` and `b`, in either order. O(neighbours).
-  bool has(Index point, Index a, Index b) const;
+  bool has(Index point, Index a, Index b) const { return in_ring(point, a, b) || in_tie(point, a, b); }
+
+  /// How many of its corners' stars have a triangle; `by_ties` tells whether it takes ties to find any of these.
+  int holders(const std::array<Index, 3>& triangle, bool* by_ties = nullptr) const;
 
   /// How far the cell reaches; uncapped.
   double radius(Index point) const { return radius_[point]; }
   bool bounded(Index point) const { return bounded_[point] != 0; }
 
  private:
+  bool in_ring(Index point, Index a, Index b) const;
+  bool in_tie(Index point, Index a, Index b) const;
+  void find_ties(const Neighbours& neighbours, const std::vector<Index>& order, RunContext& context,
+                 ProgressShare share);
+
   std::vector<std::size_t> first_;
   std::vector<StarCorner> corners_;
   std::vector<double> radius_;
   std::vector<char> bounded_;
+  std::vector<std::vector<std::vector<Index>>> ties_;  // per point: groups of points equally near to a corner
 };
 
-/// How well the stars agree. A triangle that not all its corners have is inconsistent, unless a fourth point is as near
-/// to its centre: such cocircular ties (lattices) may be broken either way, and mean nothing. Triangles whose centre is
-/// too far from the point to be a face, as at a boundary, do not count.
+/// How well the stars agree. A triangle that not all its corners have, ties counted, is inconsistent. Triangles whose
+/// centre is too far from the point to be a face, as at a boundary, do not count.
 struct StarAgreement {
-  double inconsistent = 0;    ///< share of the triangles that are no ties
+  double inconsistent = 0;    ///< share of the triangles that need no ties
   double ties = 0;            ///< share of all triangles
   std::vector<Index> places;  ///< points with an inconsistent triangle, ascending
 };
 
 /// `farthest`: per point, how far the centre of a triangle that counts may be. O(n log n).
-StarAgreement agreement(const PlanarStars& stars, const Neighbours& neighbours, std::span<const double> farthest);
+StarAgreement agreement(const PlanarStars& stars, std::span<const Vec3> points, std::span<const double> farthest);
 
 }  // namespace geodrome

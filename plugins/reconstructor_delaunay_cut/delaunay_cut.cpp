@@ -115,7 +115,7 @@ class Reconstructing {
     const PlanarStars stars(neighbours, kept_.normals, sample_reach(kept_.points), context_, {0, 0.2});
     std::vector<double> farthest;
     for (const double psi : kept_.psi) farthest.push_back(FaceRule::radius_bound * psi);
-    judge_stars(agreement(stars, neighbours, farthest), stars);
+    judge_stars(agreement(stars, kept_.points, farthest), stars);
     const OrientedSample oriented = orient(stars, kept_.points, kept_.normals, kept_.psi, FaceRule::edge_bound);
     context_.progress(0.3);
     std::size_t done = 0;

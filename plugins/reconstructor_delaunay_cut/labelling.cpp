@@ -159,8 +159,7 @@ CutCosts cut_costs(const Tetrahedra& tetrahedra, const OrientedPiece& piece, con
         continue;
       }
       const auto [a, b, d] = facet_of(tetrahedra.corners[c], i);
-      const Index p = piece.kept[a], q = piece.kept[b], r = piece.kept[d];
-      const int holders = stars.has(p, q, r) + stars.has(q, r, p) + stars.has(r, p, q);
+      const int holders = stars.holders({piece.kept[a], piece.kept[b], piece.kept[d]});
       costs.cut[c][i] = facet_cost[holders];
       const std::int32_t evidence = side_of_stars(piece, {a, b, d}) * facet_evidence[holders];
       costs.inside[c] -= evidence;

@@ -18,10 +18,10 @@ using namespace geodrome::testing;
 using namespace std::chrono_literals;
 using nlohmann::json;
 
-/// A torus as 300 random points, and its distances by some rule.
+/// A torus as 500 random points, and its distances by some rule.
 class QueryRule : public ::testing::Test {
  protected:
-  void SetUp() override { make_torus("300"); }
+  void SetUp() override { make_torus("500"); }
 
   void make_torus(const std::string& points) {
     const Outcome made = run_geodrome(folder_, {"shape", "torus", "--points", points, "-o", file("t.xyz")});
@@ -29,7 +29,7 @@ class QueryRule : public ::testing::Test {
   }
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
   Outcome run(const std::string& rule, std::vector<std::string> arguments, const std::string& input = "t.xyz") {
-    arguments.insert(arguments.begin(), {"distances", file(input), "--query", rule, "--tangent", "pca"});
+    arguments.insert(arguments.begin(), {"distances", file(input), "--query", rule});
     return run_geodrome(folder_, arguments);
   }
   Matrix matrix(const std::string& rule, std::vector<std::string> arguments = {}, const std::string& input = "t.xyz") {
@@ -65,7 +65,7 @@ TEST_F(QueryRule, ASourceThatWasKeptHasTheSameRowUnderInsertAndNoOtherHas) {
   EXPECT_GT(counts["cavity"], 0);
   EXPECT_EQ(counts["existing"].get<int>() + counts["cavity"].get<int>() + counts["partial"].get<int>() +
                 counts["extended"].get<int>(),
-            300);
+            500);
   EXPECT_FALSE(report("project")["matrix"].contains("insertions"));
 }
 
@@ -141,7 +141,7 @@ TEST_F(QueryRule, InsertIsCloserToTheTruthForNearPairsThanProject) {
 
 TEST_F(QueryRule, PrintedGivesZeroWhereTheNearestVertexIsTheSource) {
   std::string rows = "0";
-  for (int i = 5; i < 300; i += 5) rows += "," + std::to_string(i);
+  for (int i = 5; i < 500; i += 5) rows += "," + std::to_string(i);
   const Matrix printed = matrix("printed", {"--sources", rows}), insert = matrix("insert", {"--sources", rows});
   std::size_t zeros = 0, below = 0;
   for (std::size_t i = 0; i < printed.rows; ++i)
@@ -181,8 +181,8 @@ TEST_F(QueryRule, AKilledJobResumesToTheSameBytesAndNotUnderAnotherRule) {
   make_torus("700");
   ASSERT_EQ(run("insert", {"-o", file("whole.npy"), "--audit", "0", "--solver", "edge_dijkstra"}).status, 0);
   RunningProgram killed(folder_, "geodrome",
-                        {"distances", file("t.xyz"), "--query", "insert", "--tangent", "pca", "-o", file("d.npy"),
-                         "--threads", "1", "--audit", "0", "--solver", "edge_dijkstra"});
+                        {"distances", file("t.xyz"), "--query", "insert", "-o", file("d.npy"), "--threads", "1",
+                         "--audit", "0", "--solver", "edge_dijkstra"});
   for (int i = 0; i < 2000 && !std::filesystem::exists(folder_ / "d.npy.partial"); ++i)
     std::this_thread::sleep_for(2ms);
   std::this_thread::sleep_for(30ms);
@@ -205,7 +205,7 @@ TEST_F(QueryRule, APathStartsAtTheInsertedPointAndHasTheDistanceOfTheMatrix) {
   while (from < insert.rows && same_row(project, insert, from)) ++from;
   ASSERT_LT(from, insert.rows) << "the test needs a row that was not kept";
   const Outcome outcome = run_geodrome(folder_, {"path", file("t.xyz"), "--from", std::to_string(from), "--to", "250",
-                                                 "--query", "insert", "--tangent", "pca", "-o", file("p.json")});
+                                                 "--query", "insert", "-o", file("p.json")});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const json path = json::parse(read_bytes(folder_ / "p.json"));
   EXPECT_DOUBLE_EQ(path["distance"], insert(from, 250));
@@ -259,13 +259,13 @@ TEST_F(QueryRule, DroppedAndMergedPointsAreTreatedAsEverywhere) {
         return line + "\n";
       }());
   for (const std::string rule : {"insert", "printed"}) {
-    const Matrix d = matrix(rule, {"--drop-nonfinite", "--sources", "0,1,300,301"}, "p.xyz");
-    for (std::size_t j = 0; j < 300; ++j) {
+    const Matrix d = matrix(rule, {"--drop-nonfinite", "--sources", "0,1,500,501"}, "p.xyz");
+    for (std::size_t j = 0; j < 500; ++j) {
       EXPECT_TRUE(std::isnan(d(2, j)));
       EXPECT_EQ(d(0, j), d(3, j));
     }
-    EXPECT_TRUE(std::isnan(d(1, 300)));
-    EXPECT_EQ(d(0, 301), 0) << "the same point";
+    EXPECT_TRUE(std::isnan(d(1, 500)));
+    EXPECT_EQ(d(0, 501), 0) << "the same point";
   }
 }
 
