@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numeric>
 #include <utility>
 
@@ -18,7 +19,7 @@ namespace {
 
 /// Shares of inconsistent star triangles: smooth samples that came out right had up to 0.20, wrong surfaces 0.29 and
 /// more.
-constexpr double warn_stars = 0.10, refuse_stars = 0.20;
+constexpr double note_stars = 0.05, warn_stars = 0.10, refuse_stars = 0.20;
 /// Repairs of more than this share of the points are guesses.
 constexpr double most_repaired = 0.02;
 /// A piece with fewer points bounds no volume.
@@ -150,8 +151,10 @@ class Reconstructing {
     std::vector<Index> worst = stars.places;
     const auto relative = [&](Index p) { return cells.radius(p) / kept_.psi[p]; };
     std::stable_sort(worst.begin(), worst.end(), [&](Index a, Index b) { return relative(a) > relative(b); });
-    const std::string share = std::to_string(std::lround(1000 * stars.inconsistent) / 10.0).substr(0, 4);
-    if (!worst.empty())
+    char share_text[16];
+    std::snprintf(share_text, sizeof share_text, "%.1f", 100 * stars.inconsistent);
+    const std::string share = share_text;
+    if (stars.inconsistent > note_stars)
       add(stars.inconsistent > warn_stars ? Finding::Severity::warning : Finding::Severity::note, "inconsistent_stars",
           share +
               " % of the star triangles are not shared by the stars of all their corners: the sample is sparse for "

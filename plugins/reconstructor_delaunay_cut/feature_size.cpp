@@ -32,20 +32,20 @@ std::vector<Vec3> distinct(std::vector<Vec3> points) {
 
 std::vector<double> feature_sizes(const Tetrahedra& tetrahedra, const CellsOfPoint& cells_of, const Labels& inside,
                                   const OrientedPiece& piece) {
-  // A centre that is farther than any cell of the sample reaches belongs to a cell that is flat, or spans a hole.
+  // A pole farther off than the sample is wide, or at infinity, bounds no feature.
   const double farthest = sample_reach(piece.points);
   std::vector<Vec3> poles;
   for (Index p = 0; p < piece.points.size(); ++p) {
     double reach[2] = {0, 0};
     Vec3 pole[2];
     for (const Index c : cells_of(p)) {
-      if (tetrahedra.infinite(c)) continue;
-      const Vec3 centre = circumcentre(tetrahedra.corners[c], piece.points);
-      const double away = distance(centre, piece.points[p]);
-      if (away > reach[inside[c]] && away < farthest) reach[inside[c]] = away, pole[inside[c]] = centre;
+      const Vec3 centre =
+          tetrahedra.infinite(c) ? Vec3{none, none, none} : circumcentre(tetrahedra.corners[c], piece.points);
+      const double away = is_finite(centre) ? distance(centre, piece.points[p]) : none;
+      if (away > reach[inside[c]]) reach[inside[c]] = away, pole[inside[c]] = centre;
     }
     for (const int side : {0, 1})
-      if (reach[side] > 0) poles.push_back(pole[side]);
+      if (reach[side] > 0 && reach[side] < farthest) poles.push_back(pole[side]);
   }
   std::vector<double> sizes(piece.points.size(), none);
   if (poles.empty()) return sizes;
