@@ -10,7 +10,7 @@
 #include <cmath>
 #include <utility>
 
-#include "plugins/common/finished_surface.hpp"
+#include "plugins/common/surfaces/finished_surface.hpp"
 #include "plugins/common_gpl/guarded.hpp"
 
 namespace geodrome {

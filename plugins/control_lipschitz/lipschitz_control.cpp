@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
-#include "plugins/common/live_points.hpp"
-#include "plugins/common/maximum_tree.hpp"
 #include "plugins/common/parallel_for.hpp"
-#include "plugins/common/spatial_order.hpp"
-#include "plugins/common/cell_radius.hpp"
+#include "plugins/common/points/cell_radius.hpp"
+#include "plugins/common/points/live_points.hpp"
+#include "plugins/common/points/maximum_tree.hpp"
+#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 namespace {

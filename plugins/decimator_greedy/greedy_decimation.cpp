@@ -8,9 +8,9 @@
 #include <random>
 #include <string>
 
-#include "plugins/common/live_points.hpp"
-#include "plugins/common/neighbours.hpp"
 #include "plugins/common/parallel_for.hpp"
+#include "plugins/common/points/live_points.hpp"
+#include "plugins/common/points/neighbours.hpp"
 
 namespace geodrome {
 namespace {

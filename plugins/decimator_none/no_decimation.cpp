@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/decimator_none/no_decimation.hpp"
 
-#include "plugins/common/live_points.hpp"
+#include "plugins/common/points/live_points.hpp"
 
 namespace geodrome {
 

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "plugins/common/manifold_faces.hpp"
+#include "plugins/common/surfaces/manifold_faces.hpp"
 #include "plugins/reconstructor_advancing_front/front_triangles.hpp"
 
 namespace geodrome {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "geodrome/options.hpp"
-#include "plugins/common/finished_surface.hpp"
+#include "plugins/common/surfaces/finished_surface.hpp"
 
 namespace geodrome {
 

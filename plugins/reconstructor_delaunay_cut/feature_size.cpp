@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "plugins/common/cell_radius.hpp"
+#include "plugins/common/points/cell_radius.hpp"
 
 namespace geodrome {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geodrome/surface.hpp"
-#include "plugins/common/finished_surface.hpp"
+#include "plugins/common/surfaces/finished_surface.hpp"
 #include "plugins/reconstructor_delaunay_cut/labelling.hpp"
 
 namespace geodrome {

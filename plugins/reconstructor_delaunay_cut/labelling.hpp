@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geodrome/surface.hpp"
-#include "plugins/common/planar_stars.hpp"
+#include "plugins/common/points/planar_stars.hpp"
 #include "plugins/reconstructor_delaunay_cut/tetrahedra.hpp"
 
 namespace geodrome {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "plugins/common/planar_stars.hpp"
+#include "plugins/common/points/planar_stars.hpp"
 
 namespace geodrome {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plugins/common/local_plane.hpp"
+#include "plugins/common/points/local_plane.hpp"
 
 namespace geodrome {
 namespace {

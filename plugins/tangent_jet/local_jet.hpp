@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "plugins/common/neighbours.hpp"
+#include "plugins/common/points/neighbours.hpp"
 #include "plugins/tangent_jet/quadric.hpp"
 
 namespace geodrome {

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
-#include "plugins/common/local_plane.hpp"
 #include "plugins/common/parallel_for.hpp"
+#include "plugins/common/points/local_plane.hpp"
 #include "plugins/tangent_jet/local_jet.hpp"
 
 namespace geodrome {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "geodrome/run_context.hpp"
-#include "plugins/common/neighbours.hpp"
+#include "plugins/common/points/neighbours.hpp"
 
 namespace geodrome {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "plugins/common/frame.hpp"
+#include "plugins/common/points/frame.hpp"
 
 namespace geodrome {
 namespace {

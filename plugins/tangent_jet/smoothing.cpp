@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include "plugins/common/local_plane.hpp"
+#include "plugins/common/points/local_plane.hpp"
 #include "plugins/tangent_jet/local_jet.hpp"
 
 namespace geodrome {

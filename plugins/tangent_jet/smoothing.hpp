@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "geodrome/tangent_estimator.hpp"
-#include "plugins/common/neighbours.hpp"
 #include "plugins/common/parallel_for.hpp"
+#include "plugins/common/points/neighbours.hpp"
 
 namespace geodrome {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/neighbours.hpp"
+#include "plugins/common/points/neighbours.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <set>
 
-#include "plugins/common/cell_radius.hpp"
-#include "plugins/common/face_deletion.hpp"
+#include "plugins/common/points/cell_radius.hpp"
+#include "plugins/common/surfaces/face_deletion.hpp"
 #include "plugins/reconstructor_delaunay_cut/feature_size.hpp"
 #include "plugins/reconstructor_delaunay_cut/manifold_repair.hpp"
 #include "plugins/reconstructor_delaunay_cut/orient_normals.hpp"

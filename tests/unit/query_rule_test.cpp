@@ -6,7 +6,7 @@
 
 #include "engine/run/printed_rule.hpp"
 #include "engine/run/relocation.hpp"
-#include "plugins/common/surface_inserter.hpp"
+#include "plugins/common/surfaces/surface_inserter.hpp"
 #include "support/meshes.hpp"
 
 namespace geodrome::test {

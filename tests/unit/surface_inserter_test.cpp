@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/surface_inserter.hpp"
+#include "plugins/common/surfaces/surface_inserter.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "geodrome/vertex_components.hpp"
-#include "plugins/common/point_insertion.hpp"
+#include "plugins/common/surfaces/point_insertion.hpp"
 #include "support/meshes.hpp"
 
 namespace geodrome::test {

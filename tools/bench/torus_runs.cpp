@@ -10,7 +10,7 @@
 #include <set>
 
 #include "geodrome/engine/input.hpp"
-#include "plugins/common/neighbours.hpp"
+#include "plugins/common/points/neighbours.hpp"
 #include "tools/bench/torus_truth.hpp"
 #include "tools/shapes/random.hpp"
 #include "tools/shapes/shapes.hpp"

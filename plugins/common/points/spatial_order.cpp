@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/spatial_order.hpp"
+#include "plugins/common/points/spatial_order.hpp"
 
 #include <algorithm>
 #include <cstdint>

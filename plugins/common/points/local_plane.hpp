@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "plugins/common/neighbours.hpp"
+#include "plugins/common/points/neighbours.hpp"
 
 namespace geodrome {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/point_insertion.hpp"
+#include "plugins/common/surfaces/point_insertion.hpp"
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
 #include <algorithm>

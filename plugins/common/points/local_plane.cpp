@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/local_plane.hpp"
+#include "plugins/common/points/local_plane.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "plugins/common/neighbours.hpp"
-#include "plugins/common/planar_cell.hpp"
+#include "plugins/common/points/neighbours.hpp"
+#include "plugins/common/points/planar_cell.hpp"
 
 namespace geodrome {
 

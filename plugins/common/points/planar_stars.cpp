@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/planar_stars.hpp"
+#include "plugins/common/points/planar_stars.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "plugins/common/cell_radius.hpp"
-#include "plugins/common/spatial_order.hpp"
+#include "plugins/common/points/cell_radius.hpp"
+#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/live_points.hpp"
+#include "plugins/common/points/live_points.hpp"
 
 namespace geodrome {
 

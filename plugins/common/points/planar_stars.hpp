@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "plugins/common/neighbours.hpp"
 #include "plugins/common/parallel_for.hpp"
+#include "plugins/common/points/neighbours.hpp"
 
 namespace geodrome {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/manifold_faces.hpp"
+#include "plugins/common/surfaces/manifold_faces.hpp"
 
 #include <algorithm>
 #include <set>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/planar_cell.hpp"
+#include "plugins/common/points/planar_cell.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/surface_inserter.hpp"
+#include "plugins/common/surfaces/surface_inserter.hpp"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "geodrome/detail/closest_point_tree.hpp"
-#include "plugins/common/point_insertion.hpp"
+#include "plugins/common/surfaces/point_insertion.hpp"
 
 namespace geodrome {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/finished_surface.hpp"
+#include "plugins/common/surfaces/finished_surface.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "plugins/common/manifold_faces.hpp"
-#include "plugins/common/surface_inserter.hpp"
+#include "plugins/common/surfaces/manifold_faces.hpp"
+#include "plugins/common/surfaces/surface_inserter.hpp"
 
 namespace geodrome {
 namespace {

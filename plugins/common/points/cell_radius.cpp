@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/cell_radius.hpp"
+#include "plugins/common/points/cell_radius.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "geodrome/errors.hpp"
-#include "plugins/common/frame.hpp"
+#include "plugins/common/points/frame.hpp"
 
 namespace geodrome {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/maximum_tree.hpp"
+#include "plugins/common/points/maximum_tree.hpp"
 
 #include <algorithm>
 #include <cmath>
