@@ -13,8 +13,8 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "common/query_points.hpp"
-#include "common/vertex_components.hpp"
+#include "common/solvers/query_points.hpp"
+#include "common/solvers/vertex_components.hpp"
 #include "solver_cgal/cgal_surface.hpp"
 
 namespace geodrome {

@@ -7,8 +7,8 @@
 #include <string>
 #include <utility>
 
-#include "common/query_points.hpp"
-#include "common/vertex_components.hpp"
+#include "common/solvers/query_points.hpp"
+#include "common/solvers/vertex_components.hpp"
 #include "solver_edge_dijkstra/edge_graph.hpp"
 #include "solver_edge_dijkstra/label_search.hpp"
 
