@@ -41,7 +41,7 @@ class Repair {
       queue_.pop_front();
       waiting_[p] = 0;
       unresolved.erase(p);
-      const std::vector<Group> groups = groups_around(p);
+      std::vector<Group> groups = groups_around(p);
       if (is_sound(groups)) continue;
       places.insert(p);
       const std::vector<const Group*> weakest = cheapest_repair(groups);
@@ -99,14 +99,13 @@ class Repair {
   }
 
   /// All groups of one side but the one that is dearest to flip, of the side where that is cheaper.
-  std::vector<const Group*> cheapest_repair(const std::vector<Group>& found) {
-    candidates_ = found;
+  std::vector<const Group*> cheapest_repair(std::vector<Group>& groups) {
     std::vector<const Group*> best;
     std::int64_t best_cost = 0;
     for (const bool side : {false, true}) {
       std::vector<const Group*> movable;
       std::size_t fixed = 0;
-      for (Group& group : candidates_) {
+      for (Group& group : groups) {
         if (group.inside != side) continue;
         if (price(group))
           movable.push_back(&group);
@@ -143,7 +142,6 @@ class Repair {
   std::vector<Index> mark_;
   std::vector<char> waiting_;
   std::deque<Index> queue_;
-  std::vector<Group> candidates_;
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "support/discovered.hpp"
 #include "support/meshes.hpp"
 #include "support/sample_stages.hpp"
+#include "support/volume.hpp"
 
 namespace geodrome::test {
 namespace {
@@ -44,15 +45,6 @@ long euler_number(const SurfaceMesh& mesh) {
   for (const Index twin : mesh.twins()) edges_twice += twin == no_index ? 2 : 1;
   return static_cast<long>(mesh.vertex_count()) - static_cast<long>(edges_twice / 2) +
          static_cast<long>(mesh.face_count());
-}
-
-double volume(const SurfaceMesh& mesh) {
-  double six_volumes = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto [p, q, r] = mesh.corners(f);
-    six_volumes += dot(p, cross(q, r));
-  }
-  return six_volumes / 6;
 }
 
 std::size_t component_count(const SurfaceMesh& mesh) {

@@ -9,6 +9,7 @@
 #include "geodrome/vertex_components.hpp"
 #include "support/sample_stages.hpp"
 #include "support/samples.hpp"
+#include "support/volume.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome {
@@ -50,15 +51,6 @@ Topology topology(const SurfaceMesh& mesh) {
   return t;
 }
 
-double volume(const SurfaceMesh& mesh) {
-  double six_volumes = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto [p, q, r] = mesh.corners(f);
-    six_volumes += dot(p, cross(q, r));
-  }
-  return six_volumes / 6;
-}
-
 /// The faces as sets of sample points.
 std::set<std::set<Index>> faces_of(const Reconstruction& made, const std::vector<Index>& name = {}) {
   std::set<std::set<Index>> faces;
@@ -93,7 +85,7 @@ TEST_P(DelaunayCutShapes, HaveTheRightTopology) {
                  random.uniform(-c.jitter, c.jitter)};
   const Reconstruction made = reconstruct(test::staged(std::move(sample)));
   EXPECT_EQ(topology(*made.mesh), (Topology{c.euler, 0, 1}));
-  EXPECT_GT(volume(*made.mesh), 0) << "faces must look outwards";
+  EXPECT_GT(test::volume(*made.mesh), 0) << "faces must look outwards";
 }
 
 std::vector<Case> cases() {
@@ -158,7 +150,7 @@ TEST(DelaunayCut, KeepsSpheresInsideEachOtherApart) {
   for (Vec3& p : inner.points) p = 0.5 * p;
   const Reconstruction made = reconstruct(test::staged(joined(test::sphere(3000, 2), inner)));
   EXPECT_EQ(topology(*made.mesh), (Topology{4, 0, 2}));
-  EXPECT_NEAR(volume(*made.mesh), 4.0 / 3 * std::numbers::pi * 1.125, 0.1) << "both look outwards";
+  EXPECT_NEAR(test::volume(*made.mesh), 4.0 / 3 * std::numbers::pi * 1.125, 0.1) << "both look outwards";
 }
 
 TEST(DelaunayCut, MakesComponentsOfLinkedTori) {
@@ -191,7 +183,7 @@ TEST(DelaunayCut, ClosesACubeWithSharpEdges) {
           cube.points.push_back({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
   const Reconstruction made = reconstruct(test::staged(test::moved(std::move(cube), 0.3, {5, -2, 1}), false));
   EXPECT_EQ(topology(*made.mesh), (Topology{2, 0, 1}));
-  EXPECT_NEAR(volume(*made.mesh), std::pow(0.3 * n, 3), 1e-9) << "every vertex is used";
+  EXPECT_NEAR(test::volume(*made.mesh), std::pow(0.3 * n, 3), 1e-9) << "every vertex is used";
 }
 
 TEST(DelaunayCut, DoesNotDependOnTheOrderOfPoints) {

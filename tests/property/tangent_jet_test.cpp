@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <set>
 #include <string>
 #include <tuple>
 
 #include "plugins/tangent_jet/smoothing.hpp"
+#include "support/recording_context.hpp"
 #include "support/samples.hpp"
 #include "support/shape_equations.hpp"
 #include "tools/shapes/shapes.hpp"
@@ -21,13 +21,7 @@ namespace {
 
 using shapes::Sampling;
 
-class Context : public QuietContext {
- public:
-  unsigned threads() const noexcept override { return 2; }
-  void measure(std::string_view name, double value) override { measures[std::string(name)] = value; }
-
-  std::map<std::string, double> measures;
-};
+using Context = test::RecordingContext;
 
 Tangents tangents_of(const PointSample& sample, const char* options = "") {
   Context context;

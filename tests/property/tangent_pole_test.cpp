@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 #include <string>
 
+#include "support/recording_context.hpp"
 #include "support/samples.hpp"
 #include "support/shape_equations.hpp"
 #include "tools/shapes/shapes.hpp"
@@ -18,13 +18,7 @@ namespace {
 
 using shapes::Sampling;
 
-class Context : public QuietContext {
- public:
-  unsigned threads() const noexcept override { return 2; }
-  void measure(std::string_view name, double value) override { measures[std::string(name)] = value; }
-
-  std::map<std::string, double> measures;
-};
+using Context = test::RecordingContext;
 
 /// Angle between two lines, in degrees.
 double angle(const Vec3& a, const Vec3& b) {
