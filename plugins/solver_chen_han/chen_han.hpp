@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geodrome/options.hpp"
+#include "geodrome/shortest_path_solver.hpp"
+#include "solver_chen_han/settings.hpp"
+
+namespace geodrome {
+
+/// Exact distances by windows: Chen and Han (1990, 1996), with the filters of Xin and Wang (2009) and whole lists carried
+/// across triangles (Qin et al. 2016).
+///
+/// Any mesh: open, non-manifold, unoriented, with faces without area. A search allocates only while it grows; a run costs
+/// what it reaches: O(w log F) for w windows, w ~ F^1.5 on smooth surfaces. With Keep::targets only the wavefront is in
+/// memory.
+class ChenHanSolver final : public ShortestPathSolver {
+ public:
+  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
+                                            paths | path_is_distance | factor_any_point;
+  static constexpr OptionSpec options[] = {
+      choice_option("filter", "xin_wang", "xin_wang|off",
+                    "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
+      choice_option("simd", "auto", "auto|baseline|avx2|avx512", "processor level of the inner loops; same results"),
+  };
+
+  /// Throws OptionError for a level that the processor does not have.
+  explicit ChenHanSolver(const OptionValues& options);
+
+  /// O(F log F). Throws CapabilityError for face weights.
+  std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;
+
+ private:
+  chen_han::Settings settings_;
+};
+
+}  // namespace geodrome

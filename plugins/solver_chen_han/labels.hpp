@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "geodrome/geometry.hpp"
+
+namespace geodrome::chen_han {
+
+/// The shortest way to a vertex that was found so far.
+struct Label {
+  double distance = std::numeric_limits<double>::infinity();
+  /// From which side it comes: `angle` counterclockwise from half-edge `corner`, which starts at the vertex. The angle is
+  /// known at saddles only. No corner: the vertex is a source.
+  double angle = 0;
+  Index corner = no_index;
+  Index source = no_index;  ///< of the request
+};
+
+/// How a path goes on from a vertex: through a kept window, along an edge to another vertex, or (neither) straight to
+/// its source.
+struct Step {
+  Index window = no_index, vertex = no_index;
+};
+
+/// The labels of all vertices, and their steps if paths are wanted. Forgetting costs what was touched.
+class Labels {
+ public:
+  explicit Labels(std::size_t vertex_count) : labels_(vertex_count) {}
+
+  const Label& operator[](Index vertex) const { return labels_[vertex]; }
+  double distance(Index vertex) const { return labels_[vertex].distance; }
+  const Step& step(Index vertex) const { return steps_[vertex]; }
+  const std::vector<Index>& touched() const { return touched_; }
+
+  void reset(bool with_steps) {
+    for (const Index v : touched_) labels_[v] = {};
+    touched_.clear();
+    if (with_steps && steps_.empty()) steps_.resize(labels_.size());
+    with_steps_ = with_steps;
+  }
+
+  /// Precondition: label.distance is lower than the present one.
+  void set(Index vertex, const Label& label, const Step& step) {
+    if (labels_[vertex].source == no_index) touched_.push_back(vertex);
+    labels_[vertex] = label;
+    if (with_steps_) steps_[vertex] = step;
+  }
+
+  std::size_t bytes() const {
+    return labels_.size() * sizeof(Label) + steps_.size() * sizeof(Step) + touched_.capacity() * sizeof(Index);
+  }
+
+ private:
+  std::vector<Label> labels_;
+  std::vector<Step> steps_;
+  std::vector<Index> touched_;
+  bool with_steps_ = false;
+};
+
+}  // namespace geodrome::chen_han

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "solver_chen_han/windows.hpp"
+
+namespace geodrome::chen_han {
+
+/// How windows pass from a half-edge to another edge of its face: a rotation about the point `pivot` of the half-edge,
+/// then a shift along the new one, `limit` long.
+struct Turn {
+  double pivot, cosine, sine, shift, limit;
+  double away;  ///< where the end of a window goes whose line never meets the new edge: 0 or `limit`
+};
+
+/// The two loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE
+/// operations on every window, so all give the same bytes. They may write up to one register beyond what they are asked.
+struct Lanes {
+  /// Windows [first, first + count) of `in` as seen from the new edge: x, y, low, high of `out` from 0 on.
+  void (*carry)(const WindowArrays& in, std::size_t first, std::size_t count, const Turn& turn,
+                const WindowArrays& out);
+
+  /// For windows i and i + 1 that overlap, where to cut: cut[i] is the place at which they are equally far, or the end
+  /// of the one that wins all of the overlap if it ends it. +inf where they do not overlap, NaN where the formula did not
+  /// pass its check; true if there is such a place. Reads `count` windows, count >= 1, writes count - 1 cuts.
+  bool (*cut)(const WindowArrays& windows, std::size_t count, double* cut);
+
+  /// Whether the windows that have lines to the left of point (x, y) are the first `left_end`, and those with lines to the
+  /// right of it the ones from `right_begin` on.
+  bool (*parted)(const WindowArrays& windows, std::size_t count, double x, double y, std::size_t right_begin,
+                 std::size_t left_end);
+};
+
+/// Above 0 where the line from image (ix, iy) through (px, 0) leaves the point (x, y) on its left, below where on its
+/// right.
+template <class Number>
+Number side_of_line(const Number& ix, const Number& iy, const Number& px, double x, double y) {
+  return (px - ix) * (y - iy) + iy * (x - ix);
+}
+
+enum class Simd { baseline, avx2, avx512 };
+
+/// The widest level that the processor has.
+Simd best_simd();
+bool has_simd(Simd level);
+/// Precondition: the processor has the level.
+const Lanes& lanes(Simd level);
+
+}  // namespace geodrome::chen_han

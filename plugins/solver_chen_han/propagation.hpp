@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/solvers/flat_surface.hpp"
+#include "common/solvers/indexed_heap.hpp"
+#include "geodrome/run_context.hpp"
+#include "geodrome/shortest_path_solver.hpp"
+#include "solver_chen_han/kept_windows.hpp"
+#include "solver_chen_han/labels.hpp"
+#include "solver_chen_han/settings.hpp"
+#include "solver_chen_han/trimming.hpp"
+#include "solver_chen_han/window_store.hpp"
+
+namespace geodrome::chen_han {
+
+struct Counts {
+  std::uint64_t passes = 0;      ///< half-edges whose waiting windows were carried on, each time
+  std::uint64_t created = 0;     ///< windows that came to wait at a half-edge
+  std::uint64_t propagated = 0;  ///< windows carried on
+  std::uint64_t filtered = 0;    ///< windows dropped because a vertex is a shorter way
+  std::uint64_t trimmed = 0;     ///< windows dropped because other windows are shorter everywhere
+  std::uint64_t emissions = 0;   ///< times a vertex became a pseudo-source
+  std::uint64_t longest = 0;     ///< the longest list carried on
+};
+
+/// A point in a face whose distance is lowered while windows pass over it.
+struct Watched {
+  SurfacePoint at;  ///< with the face's number in the flat surface
+  double distance;
+  Index source;
+};
+
+/// Windows carried over a surface from its sources, half-edge by half-edge, nearest first (Chen and Han 1990, Xin and
+/// Wang 2009, whole lists at a time as in Qin et al. 2016). All distances are those of the flat surface, and so are the
+/// numbers of faces and vertices. Used again and again: a run costs what it reaches.
+///
+/// Why distances are exact: a window, or a part of one, is dropped only where a path that exists is shorter (trimming,
+/// filter) or where it leaves the surface; so the window along a shortest path is never dropped. Why it ends: a
+/// shortest path crosses no face twice, so windows deeper than the number of faces are dropped; then there are finitely
+/// many paths, and a vertex emits again only for a shorter one.
+class Propagation {
+ public:
+  Propagation(const FlatSurface& surface, const Settings& settings);
+
+  /// Forgets the last run. With `keep` all windows that are carried on are kept.
+  void begin(bool keep, double limit);
+  void seed(const Source& source, Index number);
+  /// To be lowered by `run`, in ascending order of faces.
+  std::vector<Watched>& watched() { return watched_; }
+  const std::vector<Watched>& watched() const { return watched_; }
+
+  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may give a new one.
+  template <class LowerLimit>
+  void run(const RunContext& context, LowerLimit&& lower_limit) {
+    for (std::uint64_t step = 0; !queue_.empty(); ++step) {
+      if (step % poll_interval == 0) context.throw_if_cancelled();
+      if (step % poll_interval == poll_interval - 1) limit_ = std::min(limit_, lower_limit());
+      next();
+    }
+  }
+
+  /// The number of the source that the windows of an origin come from.
+  Index source_of(Index origin) const;
+  const Labels& labels() const { return labels_; }
+  const KeptWindows& kept() const { return kept_; }
+  const Counts& counts() const { return counts_; }
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint64_t poll_interval = 256;
+
+  struct Apex;
+  struct Split;
+
+  void next();
+  void process(Index half_edge);
+  void pass(Index half_edge, Index depth);
+  void lower_watched(Index half_edge);
+  void emit(Index vertex);
+  void emit_into(Index corner);
+  void seed_face(const SurfacePoint& at, const Source& source, Index number);
+  void lower(Index vertex, double distance, Index source, Index corner, double angle, const Step& step);
+  bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
+
+  Split split(const Apex& apex);
+  void carry_one_by_one(const Apex& apex, Index depth);
+  void lower_apex(const Apex& apex, const Split& split);
+  void lower_apex_by(const Apex& apex, std::size_t window, double x, double distance);
+  void carry_left(const Apex& apex, const WindowList& from, std::size_t end, std::size_t clipped, Index depth);
+  void carry_right(const Apex& apex, const WindowList& from, std::size_t begin, std::size_t clipped, Index depth);
+  void carry(const Turn& turn, const WindowList& from, std::size_t first, std::size_t count);
+  void send_children(Index edge, double length, double at_start, double at_end, Entry entry, Index depth);
+  void filter(WindowList& list, double length, double at_start, double at_end);
+  void deliver(Index edge, const WindowArrays& windows, std::size_t first, std::size_t count, Entry entry, Index depth);
+  void enqueue(Index half_edge, Index block);
+
+
+  const FlatSurface& surface_;
+  Settings settings_;
+  const Lanes& lanes_;
+  Labels labels_;
+  IndexedHeap queue_;           ///< half-edges, then vertices
+  std::vector<Index> waiting_;  ///< first block of each half-edge
+  WindowStore store_;
+  Trimming trimming_;
+  KeptWindows kept_;
+  std::vector<Watched> watched_;
+  WindowList list_, child_, chosen_;
+  std::vector<std::uint32_t> breaks_;
+  std::vector<Index> blocks_;
+  bool keep_ = false;
+  double limit_ = 0;
+  Counts counts_;
+};
+
+}  // namespace geodrome::chen_han

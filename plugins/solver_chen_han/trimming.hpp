@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver_chen_han/lanes.hpp"
+#include "solver_chen_han/windows.hpp"
+
+namespace geodrome::chen_han {
+
+/// Trimming cuts windows of one half-edge against each other, so that a part of a window that is not shortest there is
+/// not carried on. All of it rests on one lemma, which needs no other window and no final distance:
+///
+///   Let the lines of windows L and R enter the face below the half-edge so that those of L enter to the left of those
+///   of R. If at a point x of L's interval L is not farther than R (the image of R taken for its distance, seen from x
+///   or not), then no line of R to the left of x is needed. Likewise with left and right exchanged.
+///
+/// Proof: the line of R to y < x and that of L to x cross in the face below, at q. |R q| + |q x| >= |R x| >= |L x| = |L q|
+/// + |q x|, so L comes to q at least as short as R, and R's line to y is not shortest from q on, or tied. (Chen and Han's
+/// "one angle, one split" is the case of x at a vertex.)
+///
+/// "Ordered" below means in the order in which lines enter; intervals then follow each other where nothing overlaps.
+class Trimming {
+ public:
+  explicit Trimming(const Lanes& lanes) : lanes_(&lanes) {}
+
+  /// Trims ordered windows that may overlap until they are disjoint and ascending, and drops what is left empty.
+  /// `breaks` gets the positions before which a pair could not be put in order: the list is ordered between them only.
+  void trim(WindowList& list, std::vector<std::uint32_t>& breaks);
+
+  /// Appends the ordered, disjoint windows of `right`, which enter to the right of all those of `list`, and trims at the
+  /// seam. False, and nothing of `right` taken, if they cannot be put in order; what `list` lost is not needed.
+  bool append(WindowList& list, const WindowArrays& right, std::size_t count);
+
+  /// Merges two lists of disjoint, ascending windows of which nothing is known about how they enter: at every point of the
+  /// half-edge the one that is nearer there stays. A window may come out in pieces. O(n + m).
+  void merge(WindowList& list, const WindowArrays& other, std::size_t count);
+
+  std::uint64_t dropped() const { return dropped_; }
+  void reset() { dropped_ = 0; }
+  std::size_t bytes() const { return cuts_.capacity() * sizeof(double) + merged_.bytes(); }
+
+ private:
+  void repair(WindowList& list, std::size_t first, std::vector<std::uint32_t>& breaks);
+
+  const Lanes* lanes_;
+  std::vector<double> cuts_;
+  WindowList merged_;
+  std::uint64_t dropped_ = 0;
+};
+
+/// Where windows a and b are equally far, a place in [low, high]: a is nearer at one end, b at the other.
+double equal_place(const Window& a, const Window& b, double low, double high);
+
+}  // namespace geodrome::chen_han
