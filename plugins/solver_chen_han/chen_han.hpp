@@ -20,7 +20,7 @@ class ChenHanSolver final : public ShortestPathSolver {
   static constexpr OptionSpec options[] = {
       choice_option("filter", "xin_wang", "xin_wang|off",
                     "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
-      choice_option("simd", "auto", "auto|baseline|avx2|avx512", "processor level of the inner loops; same results"),
+      choice_option("simd", "auto", "auto|baseline|avx2", "processor level of the inner loops; same results"),
   };
 
   /// Throws OptionError for a level that the processor does not have.

@@ -23,9 +23,9 @@ class KeptWindows {
   /// Called before the first `keep` and `for_each`. O(half-edges) the first time.
   void prepare(std::size_t half_edge_count) { last_.resize(half_edge_count, no_index); }
 
-  /// Keeps all windows of a list under a half-edge; returns the number of the first. Throws std::length_error when the
+  /// Keeps windows under a half-edge; returns the number of the first. Throws std::length_error when the
   /// numbers are used up.
-  Index keep(Index half_edge, const WindowList& list);
+  Index keep(Index half_edge, const WindowArrays& windows, std::size_t count);
 
   std::size_t size() const { return size_; }
   const Window& operator[](Index window) const { return pages_[window / page_size][window % page_size]; }

@@ -8,12 +8,24 @@
 
 namespace geodrome::chen_han {
 
+/// An angle as a unit vector, so that turning costs no trigonometry.
+struct Angle {
+  double cosine = 1, sine = 0;
+
+  friend Angle operator+(const Angle& a, const Angle& b) {
+    return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+  }
+  friend Angle operator-(const Angle& a, const Angle& b) {
+    return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
+  }
+};
+
 /// The shortest way to a vertex that was found so far.
 struct Label {
   double distance = std::numeric_limits<double>::infinity();
-  /// From which side it comes: `angle` counterclockwise from half-edge `corner`, which starts at the vertex. The angle is
+  /// From which side it comes: this angle counterclockwise from half-edge `corner`, which starts at the vertex. It is
   /// known at saddles only. No corner: the vertex is a source.
-  double angle = 0;
+  Angle side;
   Index corner = no_index;
   Index source = no_index;  ///< of the request
 };

@@ -6,16 +6,15 @@
 namespace geodrome::chen_han {
 
 #ifdef GEODROME_X86_LEVELS
-extern const Lanes avx2_lanes, avx512_lanes;
+extern const Lanes avx2_lanes;
 
 bool has_simd(Simd level) {
-  if (level == Simd::avx512) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
   return level == Simd::baseline || __builtin_cpu_supports("avx2");
 }
 
 const Lanes& lanes(Simd level) {
   static constexpr Lanes baseline = lanes_of<2>;
-  return level == Simd::avx512 ? avx512_lanes : level == Simd::avx2 ? avx2_lanes : baseline;
+  return level == Simd::avx2 ? avx2_lanes : baseline;
 }
 #else
 bool has_simd(Simd level) { return level == Simd::baseline; }
@@ -27,7 +26,7 @@ const Lanes& lanes(Simd) {
 #endif
 
 Simd best_simd() {
-  return has_simd(Simd::avx512) ? Simd::avx512 : has_simd(Simd::avx2) ? Simd::avx2 : Simd::baseline;
+  return has_simd(Simd::avx2) ? Simd::avx2 : Simd::baseline;
 }
 
 }  // namespace geodrome::chen_han

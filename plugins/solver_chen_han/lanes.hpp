@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
 
 #include "solver_chen_han/windows.hpp"
 
@@ -15,12 +14,12 @@ struct Turn {
   double away;  ///< where the end of a window goes whose line never meets the new edge: 0 or `limit`
 };
 
-/// The two loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE
-/// operations on every window, so all give the same bytes. They may write up to one register beyond what they are asked.
+/// The loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE operations
+/// on every window, so all give the same bytes. Arrays must be padded: up to `most_lanes` windows beyond the last are
+/// read and, in what is written, have any value afterwards.
 struct Lanes {
-  /// Windows [first, first + count) of `in` as seen from the new edge: x, y, low, high of `out` from 0 on.
-  void (*carry)(const WindowArrays& in, std::size_t first, std::size_t count, const Turn& turn,
-                const WindowArrays& out);
+  /// The first `count` windows of `in` as seen from the new edge.
+  void (*carry)(const WindowArrays& in, std::size_t count, const Turn& turn, const WindowArrays& out);
 
   /// For windows i and i + 1 that overlap, where to cut: cut[i] is the place at which they are equally far, or the end
   /// of the one that wins all of the overlap if it ends it. +inf where they do not overlap, NaN where the formula did not
@@ -40,7 +39,7 @@ Number side_of_line(const Number& ix, const Number& iy, const Number& px, double
   return (px - ix) * (y - iy) + iy * (x - ix);
 }
 
-enum class Simd { baseline, avx2, avx512 };
+enum class Simd { baseline, avx2 };
 
 /// The widest level that the processor has.
 Simd best_simd();

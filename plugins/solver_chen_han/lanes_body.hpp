@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-
+#include "solver_chen_han/bisector.hpp"
 #include "solver_chen_han/lanes.hpp"
 
 /// The loops of lanes.hpp for registers of N doubles. Included once by each file that is compiled for a level; all is
@@ -21,124 +20,109 @@ struct VectorType<4> {
   typedef double Double __attribute__((vector_size(32)));
   typedef long long Mask __attribute__((vector_size(32)));
 };
-template <>
-struct VectorType<8> {
-  typedef double Double __attribute__((vector_size(64)));
-  typedef long long Mask __attribute__((vector_size(64)));
-};
 
+/// A register of N doubles, as a number for formulas.
 template <int N>
 struct Register {
   using Double = typename VectorType<N>::Double;
   using Mask = typename VectorType<N>::Mask;
+  Double v{};
 
-  static Double load(const double* p) {
-    Double v;
-    __builtin_memcpy(&v, p, sizeof v);
-    return v;
-  }
-  static void store(double* p, Double v) { __builtin_memcpy(p, &v, sizeof v); }
-  static Double all(double v) { return v - Double{}; }
-  static Double root(Double v) {
+  Register() = default;
+  Register(Double value) : v(value) {}
+  Register(double value) : v(value - Double{}) {}
+  explicit Register(const double* p) { __builtin_memcpy(&v, p, sizeof v); }
+  void store(double* p) const { __builtin_memcpy(p, &v, sizeof v); }
+
+  friend Register operator+(Register a, Register b) { return a.v + b.v; }
+  friend Register operator-(Register a, Register b) { return a.v - b.v; }
+  friend Register operator-(Register a) { return -a.v; }
+  friend Register operator*(Register a, Register b) { return a.v * b.v; }
+  friend Register operator/(Register a, Register b) { return a.v / b.v; }
+  friend Mask operator<(Register a, Register b) { return a.v < b.v; }
+  friend Mask operator>(Register a, Register b) { return a.v > b.v; }
+  friend Mask operator<=(Register a, Register b) { return a.v <= b.v; }
+  friend Mask operator>=(Register a, Register b) { return a.v >= b.v; }
+  friend Mask operator==(Register a, Register b) { return a.v == b.v; }
+  friend Register select(Mask mask, Register yes, Register no) { return mask ? yes.v : no.v; }
+  friend Register least(Register a, Register b) { return a.v < b.v ? a.v : b.v; }
+  friend Register most(Register a, Register b) { return a.v > b.v ? a.v : b.v; }
+  friend Register root(Register a) {
     Double r;
-    for (int k = 0; k < N; ++k) r[k] = __builtin_sqrt(v[k]);
+    for (int k = 0; k < N; ++k) r[k] = __builtin_sqrt(a.v[k]);
     return r;
   }
-  static Double least(Double a, Double b) { return a < b ? a : b; }
-  static Double most(Double a, Double b) { return a > b ? a : b; }
+  static Register count_from(double first) {
+    Double r;
+    for (int k = 0; k < N; ++k) r[k] = first + k;
+    return r;
+  }
+  static bool any(Mask mask) {
+    long long all = 0;
+    for (int k = 0; k < N; ++k) all |= mask[k];
+    return all != 0;
+  }
 };
 
 template <int N>
-void carry(const WindowArrays& in, std::size_t first, std::size_t count, const Turn& turn, const WindowArrays& out) {
-  using R = Register<N>;
-  using Double = typename R::Double;
-  const Double zero{}, limit = R::all(turn.limit), away = R::all(turn.away);
+void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const WindowArrays& out) {
+  using Double = Register<N>;
+  const Double zero, limit(turn.limit), away(turn.away), cosine(turn.cosine), sine(turn.sine), pivot(turn.pivot),
+      shift(turn.shift);
   for (std::size_t i = 0; i < count; i += N) {
-    const Double px = R::load(in.x + first + i) - turn.pivot, py = R::load(in.y + first + i);
-    const Double x = turn.cosine * px + turn.sine * py + turn.shift;
-    const Double y = R::least(turn.cosine * py - turn.sine * px, zero);
-    R::store(out.x + i, x);
-    R::store(out.y + i, y);
+    const Double px = Double(in.x + i) - pivot, py(in.y + i);
+    const Double x = cosine * px + sine * py + shift, y = least(cosine * py - sine * px, zero);
+    x.store(out.x + i);
+    y.store(out.y + i);
     // The line from the image through the end (qx, qy) of the window goes on to y = 0.
-    const auto onward = [&](const double* end) -> Double {
-      const Double p = R::load(end + first + i) - turn.pivot;
-      const Double qx = turn.cosine * p + turn.shift, down = turn.sine * p, climb = -down - y;
-      const Double met = qx + (qx - x) * down / climb;
-      const Double missed = down > zero ? away : qx;
-      const Double place = climb > zero ? met : missed;
-      return R::most(R::least(place, limit), zero);
+    const auto onward = [&](const double* end) {
+      const Double p = Double(end + i) - pivot;
+      const Double qx = cosine * p + shift, down = sine * p, climb = -down - y;
+      const Double met = qx + (qx - x) * down / climb, missed = select(down > zero, away, qx);
+      return most(least(select(climb > zero, met, missed), limit), zero);
     };
-    R::store(out.low + i, onward(in.low));
-    R::store(out.high + i, onward(in.high));
+    onward(in.low).store(out.low + i);
+    onward(in.high).store(out.high + i);
   }
 }
 
-/// The bisector of images 1 and 2 on the edge solves |p - g1| + s1 = |p - g2| + s2 for p = (x1 + t, 0): a quadratic
-/// equation in t, of which one root is wanted. With w = g2 - g1, s = s2 - s1, c = w^2 - s^2, h the heights of the edge
-/// above the images, beta = w_y h1 - c/2 and Q = sqrt(c (4 h1 h2 + c)) / 2 it is t = (s Q - w_x beta) / (w_x^2 - s^2) =
-/// (s^2 h1^2 - beta^2) / (s Q + w_x beta), whichever does not cancel. The result is then checked, so that neither the
-/// other root nor rounding can ever cut where the two are not equally far.
 template <int N>
 bool cut(const WindowArrays& w, std::size_t count, double* cuts) {
-  using R = Register<N>;
-  using Double = typename R::Double;
-  using Mask = typename R::Mask;
-  constexpr double rounding = 8 * std::numeric_limits<double>::epsilon();
-  const Double zero{}, none = R::all(std::numeric_limits<double>::infinity());
-  const Double unknown = R::all(std::numeric_limits<double>::quiet_NaN());
-  Mask failed{};
+  using Double = Register<N>;
+  const Double zero, none(std::numeric_limits<double>::infinity()),
+      unknown(std::numeric_limits<double>::quiet_NaN()), share(equal_share);
+  typename Double::Mask failed{};
   for (std::size_t i = 0; i + 1 < count; i += N) {
-    const Double low = R::most(R::load(w.low + i), R::load(w.low + i + 1));
-    const Double high = R::least(R::load(w.high + i), R::load(w.high + i + 1));
-    const Double x1 = R::load(w.x + i), x2 = R::load(w.x + i + 1);
-    const Double h1 = -R::load(w.y + i), h2 = -R::load(w.y + i + 1);
-    const Double s1 = R::load(w.sigma + i), s2 = R::load(w.sigma + i + 1);
-    const Double wx = x2 - x1, wy = h1 - h2, s = s2 - s1;
-    const Double c = wx * wx + wy * wy - s * s, beta = wy * h1 - 0.5 * c;
-    const Double sq = 0.5 * s * R::root(R::most(c * (4.0 * h1 * h2 + c), zero)), wb = wx * beta, sh = s * h1;
-    const Mask same = (sq * wb) > zero;
-    const Double above = same ? (sh - beta) * (sh + beta) : sq - wb;
-    const Double below = same ? sq + wb : wx * wx - s * s;
-    const Double x = R::most(R::least(x1 + above / below, high), low);
-    const Double d1 = s1 + R::root((x - x1) * (x - x1) + h1 * h1), d2 = s2 + R::root((x - x2) * (x - x2) + h2 * h2);
-    const Double gap = d1 - d2, noise = rounding * d1;
-    const Mask equal = (gap <= noise) & (gap >= -noise);
-    const Mask first_wins = (x == R::load(w.high + i)) & (gap < zero);
-    const Mask second_wins = (x == R::load(w.low + i + 1)) & (gap > zero);
-    const Mask sound = equal | first_wins | second_wins, overlap = low < high, apart = R::load(w.high + i) <= R::load(w.low + i + 1);
-    const Double found = (sound & overlap) ? x : unknown;
-    R::store(cuts + i, apart ? none : found);
-    if (i + N < count) {
-      failed |= ~(apart | (sound & overlap));
-    } else {
-      for (std::size_t k = i; k + 1 < count; ++k) failed[0] |= cuts[k] != cuts[k] ? -1 : 0;
-    }
+    const Double low_2(w.low + i + 1), high_1(w.high + i), low = most(Double(w.low + i), low_2);
+    const Double high = least(high_1, Double(w.high + i + 1));
+    const Double x1(w.x + i), x2(w.x + i + 1), h1 = -Double(w.y + i), h2 = -Double(w.y + i + 1);
+    const Double s1(w.sigma + i), s2(w.sigma + i + 1);
+    const Double x = most(least(bisector_place(x1, h1, s1, x2, h2, s2), high), low);
+    const Double d1 = s1 + root((x - x1) * (x - x1) + h1 * h1), d2 = s2 + root((x - x2) * (x - x2) + h2 * h2);
+    const Double gap = d1 - d2, noise = share * d1;
+    const auto equal = (gap <= noise) & (gap >= -noise);
+    const auto first_wins = (x == high_1) & (gap < zero), second_wins = (x == low_2) & (gap > zero);
+    const auto sound = (equal | first_wins | second_wins) & (low < high), apart = high_1 <= low_2;
+    select(apart, none, select(sound, x, unknown)).store(cuts + i);
+    failed |= ~(apart | sound) & (Double::count_from(static_cast<double>(i + 1)) < Double(static_cast<double>(count)));
   }
-  bool any = false;
-  for (int k = 0; k < N; ++k) any |= failed[k] != 0;
-  return any;
+  return Double::any(failed);
 }
 
 template <int N>
 bool parted(const WindowArrays& w, std::size_t count, double x, double y, std::size_t right_begin,
             std::size_t left_end) {
-  using R = Register<N>;
-  using Double = typename R::Double;
-  using Mask = typename R::Mask;
-  const Double zero{}, begin = R::all(static_cast<double>(right_begin)), end = R::all(static_cast<double>(left_end));
-  const Double last = R::all(static_cast<double>(count));
-  Double index;
-  for (int k = 0; k < N; ++k) index[k] = k;
-  Mask wrong{};
-  for (std::size_t i = 0; i < count; i += N, index += static_cast<double>(N)) {
-    const Double ix = R::load(w.x + i), iy = R::load(w.y + i);
-    const Mask right = side_of_line(ix, iy, R::load(w.high + i), x, y) > zero;
-    const Mask left = side_of_line(ix, iy, R::load(w.low + i), x, y) < zero;
+  using Double = Register<N>;
+  const Double zero, begin(static_cast<double>(right_begin)), end(static_cast<double>(left_end)),
+      last(static_cast<double>(count));
+  typename Double::Mask wrong{};
+  for (std::size_t i = 0; i < count; i += N) {
+    const Double ix(w.x + i), iy(w.y + i), index = Double::count_from(static_cast<double>(i));
+    const auto right = side_of_line(ix, iy, Double(w.high + i), x, y) > zero;
+    const auto left = side_of_line(ix, iy, Double(w.low + i), x, y) < zero;
     wrong |= ((right ^ (index >= begin)) | (left ^ (index < end))) & (index < last);
   }
-  bool any = false;
-  for (int k = 0; k < N; ++k) any |= wrong[k] != 0;
-  return !any;
+  return !Double::any(wrong);
 }
 
 template <int N>

@@ -16,6 +16,10 @@ constexpr double patience = 0.25;
 /// equal ways none is dropped for the other.
 constexpr double rounding = 1e-13;
 
+/// Directions that a pseudo-source emits are widened by this angle (rad): more than the error of the direction that it
+/// was reached from. A window too many costs little.
+constexpr double emission_margin = 1e-3;
+
 }  // namespace
 
 /// A face seen from one of its half-edges: start A, end B, the third corner C at (x, y).
@@ -37,6 +41,8 @@ struct Propagation::Apex {
   /// The half-edges from B to C and from C to A.
   Index right() const { return SurfaceMesh::next(half_edge); }
   Index left() const { return SurfaceMesh::previous(half_edge); }
+
+  Angle angle(int corner) const { return {face.cosine[corner], face.sine[corner]}; }
 
   /// Whether window i has lines to the left or right of C.
   bool has_left(const WindowArrays& w, std::size_t i) const {
@@ -100,79 +106,92 @@ void Propagation::next() {
   counts_.trimmed = trimming_.dropped();
 }
 
-/// Carries on what waits at a half-edge, as one list: one block of each entry in their order, the others merged into it.
+/// Carries on what waits at a half-edge, as one list.
 void Propagation::process(Index half_edge) {
-  blocks_.clear();
-  for (Index b = waiting_[half_edge]; b != no_index; b = store_[b].next) blocks_.push_back(b);
+  const Index block = waiting_[half_edge];
   waiting_[half_edge] = no_index;
-  list_.clear();
+  if (store_[block].next != no_index) return gather(half_edge, block);
+  pass(half_edge, {store_[block].windows(), store_[block].count}, store_[block].depth);
+  store_.release(block);
+}
+
+/// Several blocks: one of each entry in their order, the others merged into them.
+void Propagation::gather(Index half_edge, Index first_block) {
+  blocks_.clear();
   Index depth = no_index;
+  for (Index b = first_block; b != no_index; b = store_[b].next) {
+    blocks_.push_back(b);
+    depth = std::min(depth, store_[b].depth);
+  }
+  list_.clear();
   for (const Entry entry : {Entry::left, Entry::apex, Entry::right}) {
     const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](Index b) { return store_[b].entry == entry; });
     if (found == blocks_.end()) continue;
-    const Block& block = store_[*found];
-    if (!trimming_.append(list_, block.windows(), block.count)) continue;
-    depth = std::min(depth, block.depth);
+    if (!trimming_.append(list_, store_[*found].windows(), store_[*found].count)) continue;
     store_.release(*found);
     blocks_.erase(found);
   }
   for (const Index b : blocks_) {
     trimming_.merge(list_, store_[b].windows(), store_[b].count);
-    depth = std::min(depth, store_[b].depth);
     store_.release(b);
   }
-  pass(half_edge, depth);
+  if (list_.empty()) return;
+  list_.arrays().pad(list_.size());
+  pass(half_edge, {list_.arrays(), list_.size()}, depth);
 }
 
-/// Carries the windows of `list_` across the face of a half-edge.
-void Propagation::pass(Index half_edge, Index depth) {
+/// Carries windows across the face of a half-edge.
+void Propagation::pass(Index half_edge, Span list, Index depth) {
   const Apex apex(surface_, half_edge);
-  filter(list_, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
-  if (list_.empty()) return;
+  filter(list, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
+  if (list.count == 0) return;
   ++counts_.passes;
-  counts_.propagated += list_.size();
-  counts_.longest = std::max<std::uint64_t>(counts_.longest, list_.size());
+  counts_.propagated += list.count;
+  counts_.longest = std::max<std::uint64_t>(counts_.longest, list.count);
   if (keep_) {
-    const Index first = kept_.keep(half_edge, list_);
-    for (std::size_t i = 0; i < list_.size(); ++i) list_.arrays().parent[i] = first + static_cast<Index>(i);
+    const Index first = kept_.keep(half_edge, list.windows, list.count);
+    for (std::size_t i = 0; i < list.count; ++i) list.windows.parent[i] = first + static_cast<Index>(i);
   }
-  if (!watched_.empty()) lower_watched(half_edge);
+  if (!watched_.empty()) lower_watched(half_edge, list);
 
   if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
-  const Split split = this->split(apex);
-  if (!lanes_.parted(list_.arrays(), list_.size(), apex.x, apex.y, split.right_begin, split.left_end))
-    return carry_one_by_one(apex, depth + 1);
-  lower_apex(apex, split);
-  carry_left(apex, list_, split.last_left(), split.right_begin, depth + 1);
-  carry_right(apex, list_, split.first_right(), split.left_end, depth + 1);
+  const Split split = this->split(apex, list);
+  if (!lanes_.parted(list.windows, list.count, apex.x, apex.y, split.right_begin, split.left_end))
+    return carry_one_by_one(apex, list, depth + 1);
+  lower_apex(apex, list, split);
+  carry_left(apex, list, split.last_left(), split.right_begin, depth + 1);
+  carry_right(apex, list, split.first_right(), split.left_end, depth + 1);
 }
 
 /// Windows whose lines cross beyond the half-edge, so that they do not lie to the left and right of the apex in order.
-void Propagation::carry_one_by_one(const Apex& apex, Index depth) {
-  const WindowArrays& w = list_.arrays();
-  std::size_t best = list_.size();
-  for (std::size_t i = 0; i < list_.size(); ++i) {
+void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index depth) {
+  const WindowArrays& w = list.windows;
+  std::size_t best = list.count;
+  for (std::size_t i = 0; i < list.count; ++i) {
     const bool left = apex.has_left(w, i), right = apex.has_right(w, i), both = left && right;
     const double x = both ? w.x[i] : left ? w.high[i] : w.low[i];
-    lower_apex_by(apex, i, x, way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex())));
-    if (both && (best == list_.size() || w.to(i, apex.x, apex.y) < w.to(best, apex.x, apex.y))) best = i;
+    lower_apex_by(apex, list, i, x, way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex())));
+    if (both && (best == list.count || w.to(i, apex.x, apex.y) < w.to(best, apex.x, apex.y))) best = i;
   }
-  chosen_.clear();
-  for (std::size_t i = 0; i < list_.size(); ++i)
-    if (apex.has_left(w, i) && !(apex.has_right(w, i) && i > best)) chosen_.push(w.get(i));
-  carry_left(apex, chosen_, chosen_.size(), chosen_.size(), depth);
-  chosen_.clear();
-  for (std::size_t i = 0; i < list_.size(); ++i)
-    if (apex.has_right(w, i) && !(apex.has_left(w, i) && i < best)) chosen_.push(w.get(i));
-  carry_right(apex, chosen_, 0, 0, depth);
+  const auto choose = [&](auto&& goes) {
+    chosen_.clear();
+    for (std::size_t i = 0; i < list.count; ++i)
+      if (goes(i)) chosen_.push(w.get(i));
+    if (!chosen_.empty()) chosen_.arrays().pad(chosen_.size());
+    return Span{chosen_.arrays(), chosen_.size()};
+  };
+  const Span left = choose([&](std::size_t i) { return apex.has_left(w, i) && !(apex.has_right(w, i) && i > best); });
+  carry_left(apex, left, left.count, left.count, depth);
+  const Span right = choose([&](std::size_t i) { return apex.has_right(w, i) && !(apex.has_left(w, i) && i < best); });
+  carry_right(apex, right, 0, 0, depth);
 }
 
 /// The windows that have lines to the left of the apex are the first ones of an ordered list, those with lines to the
 /// right the last ones, almost always.
-Propagation::Split Propagation::split(const Apex& apex) {
-  const WindowArrays& w = list_.arrays();
+Propagation::Split Propagation::split(const Apex& apex, const Span& list) {
+  const WindowArrays& w = list.windows;
   const auto first = [&](auto&& holds) {
-    std::size_t low = 0, high = list_.size();
+    std::size_t low = 0, high = list.count;
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
       holds(middle) ? high = middle : low = middle + 1;
@@ -191,55 +210,58 @@ Propagation::Split Propagation::split(const Apex& apex) {
 /// Lowers the apex: by the best window that has a line to it, by the ends of windows that end beside it, and along the
 /// edges. A way that bends at the end of a window exists as well; it is what keeps a vertex that lies in the gap between
 /// two windows, by rounding or behind a saddle too flat to count as one.
-void Propagation::lower_apex(const Apex& apex, const Split& split) {
-  const WindowArrays& w = list_.arrays();
+void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& split) {
+  const WindowArrays& w = list.windows;
   const auto bent = [&](std::size_t i, double x) {
-    lower_apex_by(apex, i, x, w.at(i, x) + std::sqrt((apex.x - x) * (apex.x - x) + apex.y * apex.y));
+    lower_apex_by(apex, list, i, x, w.at(i, x) + std::sqrt((apex.x - x) * (apex.x - x) + apex.y * apex.y));
   };
-  if (split.covered()) lower_apex_by(apex, split.best, w.x[split.best], w.to(split.best, apex.x, apex.y));
-  const std::size_t left = split.covered() ? split.right_begin : split.left_end;
-  const std::size_t right = split.covered() ? split.left_end : split.right_begin;
-  if (left > 0 && !(left < list_.size() && w.high[left - 1] == w.low[left] && split.covered()))
-    bent(left - 1, w.high[left - 1]);
-  if (right < list_.size() && !(right > 0 && w.high[right - 1] == w.low[right] && split.covered()))
-    bent(right, w.low[right]);
-
+  if (split.covered()) {
+    lower_apex_by(apex, list, split.best, w.x[split.best], w.to(split.best, apex.x, apex.y));
+    const std::size_t first = split.right_begin, end = split.left_end;
+    if (first > 0 && w.high[first - 1] < w.low[first]) bent(first - 1, w.high[first - 1]);
+    if (end < list.count && w.high[end - 1] < w.low[end]) bent(end, w.low[end]);
+  } else {
+    if (split.left_end > 0) bent(split.left_end - 1, w.high[split.left_end - 1]);
+    if (split.right_begin < list.count) bent(split.right_begin, w.low[split.right_begin]);
+  }
   const double by_start = labels_.distance(apex.start()) + apex.left_length();
   const double by_end = labels_.distance(apex.end()) + apex.right_length();
   if (label_is_lower(apex.vertex(), by_start))
-    lower(apex.vertex(), by_start, labels_[apex.start()].source, apex.left(), 0, {no_index, apex.start()});
+    lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {no_index, apex.start()});
   if (label_is_lower(apex.vertex(), by_end))
-    lower(apex.vertex(), by_end, labels_[apex.end()].source, apex.left(),
-          std::atan2(apex.face.sine[apex.c], apex.face.cosine[apex.c]), {no_index, apex.end()});
+    lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source},
+          {no_index, apex.end()});
 }
 
-/// By window i, coming from the image, or along a line from (x, 0) if the way bends there.
-void Propagation::lower_apex_by(const Apex& apex, std::size_t i, double x, double distance) {
+/// By window i, coming from its image, or from (x, 0) if the way bends there.
+void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t i, double x, double distance) {
   if (!label_is_lower(apex.vertex(), distance)) return;
-  const WindowArrays& w = list_.arrays();
-  double angle = 0;
+  const WindowArrays& w = list.windows;
+  Angle side;
   if (surface_.kind(apex.vertex()) != FlatSurface::VertexKind::smooth) {
     const double dx = x - apex.x, dy = (x == w.x[i] ? w.y[i] : 0) - apex.y;
-    angle = std::max(0.0, std::atan2(apex.y * dx - apex.x * dy, -apex.x * dx - apex.y * dy));
+    const double along = -apex.x * dx - apex.y * dy, across = std::max(0.0, apex.y * dx - apex.x * dy);
+    const double size = std::sqrt(along * along + across * across);
+    if (size > 0) side = {along / size, across / size};
   }
-  lower(apex.vertex(), distance, source_of(w.origin[i]), apex.left(), angle, {w.parent[i], no_index});
+  lower(apex.vertex(), {distance, side, apex.left(), source_of(w.origin[i])}, {w.parent[i], no_index});
 }
 
-void Propagation::lower(Index vertex, double distance, Index source, Index corner, double angle, const Step& step) {
-  labels_.set(vertex, {distance, angle, corner, source}, step);
-  if (corner == no_index || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
-    queue_.push(static_cast<Index>(waiting_.size()) + vertex, distance);
+void Propagation::lower(Index vertex, const Label& label, const Step& step) {
+  labels_.set(vertex, label, step);
+  if (label.corner == no_index || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
+    queue_.push(static_cast<Index>(waiting_.size()) + vertex, label.distance);
 }
 
-void Propagation::lower_watched(Index half_edge) {
+void Propagation::lower_watched(Index half_edge, const Span& list) {
   const Index face = half_edge / 3;
   auto it = std::lower_bound(watched_.begin(), watched_.end(), face,
                              [](const Watched& w, Index f) { return w.at.face < f; });
   for (; it != watched_.end() && it->at.face == face; ++it) {
     const auto [px, py] = surface_.in_frame(half_edge, it->at.b);
-    for (std::size_t i = 0; i < list_.size(); ++i) {
-      const double way = way_through(list_.arrays().get(i), px, py, it->distance);
-      if (way < it->distance) it->distance = way, it->source = source_of(list_.arrays().origin[i]);
+    for (std::size_t i = 0; i < list.count; ++i) {
+      const double way = way_through(list.windows.get(i), px, py, it->distance);
+      if (way < it->distance) it->distance = way, it->source = source_of(list.windows.origin[i]);
     }
   }
 }
@@ -247,164 +269,197 @@ void Propagation::lower_watched(Index half_edge) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Across a face
 
-/// The lines to the left of the apex, of windows [0, end) of a list; those from `clipped` on also have lines to the apex,
-/// or beyond it.
-void Propagation::carry_left(const Apex& apex, const WindowList& from, std::size_t end, std::size_t clipped,
-                             Index depth) {
-  if (end == 0) return;
+/// The lines to the left of the apex, of the first `end` windows; those from `clipped` on also have lines to the apex, or
+/// beyond it.
+void Propagation::carry_left(const Apex& apex, const Span& list, std::size_t end, std::size_t clipped, Index depth) {
+  if (end == 0 || apex.face.across[apex.c] == no_index) return;
   const double limit = apex.left_length();
-  carry({0, apex.face.cosine[apex.a], apex.face.sine[apex.a], 0, limit, limit}, from, 0, end);
-  for (std::size_t i = std::min(clipped, end); i < end; ++i) child_.arrays().high[i] = limit;
-  send_children(apex.left(), limit, labels_.distance(apex.start()), labels_.distance(apex.vertex()), Entry::left,
-                depth);
+  const Index block =
+      carry({list.windows, end}, {0, apex.face.cosine[apex.a], apex.face.sine[apex.a], 0, limit, limit});
+  const WindowArrays child = store_[block].windows();
+  for (std::size_t i = clipped; i < end; ++i) child.high[i] = limit;
+  send(block, apex.left(), Entry::left, depth);
 }
 
-/// The lines to the right of the apex, of windows [begin, size) of a list; those before `clipped` also have lines to the
+/// The lines to the right of the apex, of the windows from `begin` on; those before `clipped` also have lines to the
 /// apex, or beyond it.
-void Propagation::carry_right(const Apex& apex, const WindowList& from, std::size_t begin, std::size_t clipped,
+void Propagation::carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped,
                               Index depth) {
-  if (begin == from.size()) return;
+  if (begin == list.count || apex.face.across[apex.b] == no_index) return;
   const double limit = apex.right_length();
-  carry({apex.length, apex.face.cosine[apex.b], -apex.face.sine[apex.b], limit, limit, 0}, from, begin,
-        from.size() - begin);
-  for (std::size_t i = begin; i < clipped; ++i) child_.arrays().low[i - begin] = 0;
-  send_children(apex.right(), limit, labels_.distance(apex.vertex()), labels_.distance(apex.end()), Entry::right,
-                depth);
+  const Index block = carry({list.windows.without(begin), list.count - begin},
+                            {apex.length, apex.face.cosine[apex.b], -apex.face.sine[apex.b], limit, limit, 0});
+  const WindowArrays child = store_[block].windows();
+  for (std::size_t i = begin; i < clipped; ++i) child.low[i - begin] = 0;
+  send(block, apex.right(), Entry::right, depth);
 }
 
-void Propagation::carry(const Turn& turn, const WindowList& from, std::size_t first, std::size_t count) {
-  child_.resize(count);
-  lanes_.carry(from.arrays(), first, count, turn, child_.arrays());
-  std::copy_n(from.arrays().sigma + first, count, child_.arrays().sigma);
-  std::copy_n(from.arrays().origin + first, count, child_.arrays().origin);
-  std::copy_n(from.arrays().parent + first, count, child_.arrays().parent);
+/// A block with the windows as seen from another edge.
+Index Propagation::carry(const Span& list, const Turn& turn) {
+  const Index block = store_.add(list.count);
+  const WindowArrays child = store_[block].windows();
+  lanes_.carry(list.windows, list.count, turn, child);
+  copy_lanes(list.windows.sigma, list.count, child.sigma);
+  copy_lanes(list.windows.origin, list.count, child.origin);
+  copy_lanes(list.windows.parent, list.count, child.parent);
+  return block;
 }
 
-/// Trims and filters `child_`, whose windows left the face through half-edge `edge` and are in the frame of the other
-/// side, and hands on what is left of it.
-void Propagation::send_children(Index edge, double length, double at_start, double at_end, Entry entry, Index depth) {
-  trimming_.trim(child_, breaks_);
-  if (breaks_.empty()) {
-    filter(child_, length, at_start, at_end);
-    deliver(edge, child_.arrays(), 0, child_.size(), entry, depth);
-    return;
+/// Trims a block of windows that left a face through half-edge `edge`, in the frame of the other side, and hands on what
+/// is left of it.
+void Propagation::send(Index block, Index edge, Entry entry, Index depth) {
+  Block& b = store_[block];
+  b.entry = entry, b.depth = depth;
+  const WindowArrays windows = b.windows();
+  windows.pad(b.count);
+  b.count = static_cast<std::uint32_t>(trimming_.trim(windows, b.count, breaks_));
+  while (!breaks_.empty()) {  // what is behind a break waits as a block of its own
+    const std::uint32_t first = breaks_.back();
+    breaks_.pop_back();
+    const Index rest = store_.add(store_[block].count - first);
+    copy_windows(windows.without(first), store_[rest].count, store_[rest].windows());
+    store_[rest].windows().pad(store_[rest].count);
+    store_[rest].entry = entry, store_[rest].depth = depth;
+    store_[block].count = first;
+    deliver(rest, edge);
   }
-  breaks_.push_back(static_cast<std::uint32_t>(child_.size()));
-  std::size_t first = 0;
-  for (const std::size_t last : breaks_) {
-    deliver(edge, child_.arrays(), first, last - first, entry, depth);
-    first = last;
-  }
+  deliver(block, edge);
 }
 
 /// Xin and Wang's filter, and the trimming that follows from it: |image x| - x falls along the half-edge, so where the
 /// way over its start is shorter at x it is shorter at everything before x too; likewise at the end.
-void Propagation::filter(WindowList& list, double length, double at_start, double at_end) {
+void Propagation::filter(Span& list, double length, double at_start, double at_end) {
   if (!settings_.filter) return;
-  const WindowArrays& w = list.arrays();
-  std::size_t first = 0, last = list.size();
+  const WindowArrays& w = list.windows;
+  std::size_t first = 0, last = list.count;
   const auto longer = [](double way, double other) { return way > other + rounding * way; };
   while (first < last && longer(w.at(first, w.high[first]), at_start + w.high[first])) ++first;
   while (first < last && longer(w.at(last - 1, w.low[last - 1]), at_end + (length - w.low[last - 1]))) --last;
-  counts_.filtered += list.size() - (last - first);
-  list.keep(first, last);
+  counts_.filtered += list.count - (last - first);
+  list = {w.without(first), last - first};
 }
 
-/// Lets windows wait at every other half-edge on an edge; they are in the frame of one that runs the other way.
-void Propagation::deliver(Index edge, const WindowArrays& windows, std::size_t first, std::size_t count, Entry entry,
-                          Index depth) {
-  if (count == 0) return;
-  const std::size_t last = first + count - 1;
-  const double near = 0.5 * (windows.at(first, windows.low[first]) + windows.at(last, windows.high[last]) -
-                             (windows.high[last] - windows.low[first]));
-  if (near > limit_ + rounding * near) return;
-  surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
-    const Index block = store_.add(count);
-    Block& b = store_[block];
-    b.depth = depth;
-    b.entry = entry;
-    copy_windows(windows, first, count, b.windows(), 0);
+/// Lets a block wait at every other half-edge on an edge; it is in the frame of one that runs the other way.
+void Propagation::deliver(Index block, Index edge) {
+  const std::uint32_t count = store_[block].count;
+  if (count == 0) return store_.release(block);
+  const WindowArrays w = store_[block].windows();
+  const double width = w.high[count - 1] - w.low[0];
+  const double near = 0.5 * (w.at(0, w.low[0]) + w.at(count - 1, w.high[count - 1]) - width);
+  bool used = false;
+  if (near <= limit_ + rounding * near) {
     const double length = surface_.length(edge);
-    if (mirrored) {
-      if (entry == Entry::left || entry == Entry::right) b.entry = entry == Entry::left ? Entry::right : Entry::left;
-      for (std::size_t i = 0; i < count; ++i) {
-        Window w = windows.get(first + i);
-        w.x = length - w.x;
-        std::tie(w.low, w.high) = std::pair(length - w.high, length - w.low);
-        b.windows().set(count - 1 - i, w);
-      }
+    surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
+      const Index own = mirrored || used ? copy_of(block, mirrored, length) : block;
+      used = used || own == block;
+      wait_at(half_edge, own, near + patience * length);
+    });
+  }
+  if (!used) store_.release(block);
+}
+
+void Propagation::wait_at(Index half_edge, Index block, double key) {
+  counts_.created += store_[block].count;
+  store_[block].next = waiting_[half_edge];
+  waiting_[half_edge] = block;
+  queue_.push(half_edge, key);
+}
+
+Index Propagation::copy_of(Index block, bool mirrored, double length) {
+  const std::uint32_t count = store_[block].count;
+  const Index copy = store_.add(count);
+  const WindowArrays from = store_[block].windows(), to = store_[copy].windows();
+  store_[copy].depth = store_[block].depth;
+  Entry& entry = store_[copy].entry = store_[block].entry;
+  if (!mirrored) {
+    copy_windows(from, count, to);
+  } else {
+    if (entry == Entry::left || entry == Entry::right) entry = entry == Entry::left ? Entry::right : Entry::left;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Window w = from.get(i);
+      to.set(count - 1 - i, {length - w.x, w.y, w.sigma, length - w.high, length - w.low, w.origin, w.parent});
     }
-    counts_.created += count;
-    b.next = waiting_[half_edge];
-    waiting_[half_edge] = block;
-    queue_.push(half_edge, near + patience * length);
-  });
+  }
+  to.pad(count);
+  return copy;
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
 // Sources and pseudo-sources
 
+/// How many corners from position `at` on, going round one way, come before the first that reaches a half turn from where
+/// the path came in; `turned` is the angle to the near side of the first of them. All of them if none does.
+std::size_t Propagation::corners_to_half_turn(std::span<const Index> corners, std::size_t at, Angle turned,
+                                              bool forward, bool closed) const {
+  static const Angle margin{std::cos(emission_margin), std::sin(emission_margin)};
+  const std::size_t count = corners.size(), rest = closed ? count - 1 : forward ? count - 1 - at : at;
+  for (std::size_t passed = 0; passed < rest; ++passed) {
+    const std::size_t i = forward ? (at + 1 + passed) % count : (at + count - 1 - passed) % count;
+    turned = turned + Angle{surface_.face_of(corners[i]).cosine[corners[i] % 3],
+                            surface_.face_of(corners[i]).sine[corners[i] % 3]};
+    const Angle widened = turned + margin;
+    if (widened.sine < 0 || (widened.sine == 0 && widened.cosine < 0)) return passed;
+  }
+  return rest;
+}
+
 /// A vertex sends windows across the faces around it: a source to all sides, a saddle to where they make an angle of at
 /// least pi on both sides with the way that came in.
 void Propagation::emit(Index vertex) {
-  const Label& label = labels_[vertex];
-  if (label.distance > limit_) return;
-  const auto corners = surface_.corners(vertex);
-  using Kind = FlatSurface::VertexKind;
-  const Kind kind = surface_.kind(vertex);
-  const bool everywhere = label.corner == no_index || kind == Kind::irregular;
-  if (!everywhere && kind == Kind::smooth) return;
+  const Label label = labels_[vertex];
+  const FlatSurface::VertexKind kind = surface_.kind(vertex);
+  const bool everywhere = label.corner == no_index || kind == FlatSurface::VertexKind::irregular;
+  if (label.distance > limit_ || (!everywhere && kind == FlatSurface::VertexKind::smooth)) return;
   ++counts_.emissions;
+  const auto corners = surface_.corners(vertex);
   if (everywhere) {
     for (const Index corner : corners) emit_into(corner);
     return;
   }
-  // Directions are angles counterclockwise from the first corner.
-  const auto angle_at = [this](Index h) {
-    return std::atan2(surface_.face_of(h).sine[h % 3], surface_.face_of(h).cosine[h % 3]);
-  };
-  constexpr double margin = 1e-3;  // rad: more than the error of `came`; a window too many costs little
-  constexpr double half_turn = 3.14159265358979323846 - margin;
-  double came = 0, total = 0;
-  for (const Index h : corners) {
-    if (h == label.corner) came = total + label.angle;
-    total += angle_at(h);
-  }
-  double from = 0;
-  for (const Index h : corners) {
-    const double to = from + angle_at(h);
-    const bool behind = to >= came + half_turn && (kind == Kind::open_saddle || from <= came + total - half_turn);
-    const bool before = from <= came - half_turn && (kind == Kind::open_saddle || to >= came - total + half_turn);
-    if (behind || before) emit_into(h);
-    from = to;
+  const std::size_t count = corners.size();
+  const std::size_t at = std::find(corners.begin(), corners.end(), label.corner) - corners.begin();
+  const FlatSurface::Face& face = surface_.face_of(label.corner);
+  const Angle corner{face.cosine[label.corner % 3], face.sine[label.corner % 3]};
+  const bool closed = kind == FlatSurface::VertexKind::saddle;
+  const std::size_t before = corners_to_half_turn(corners, at, corner - label.side, true, closed);
+  const std::size_t after = corners_to_half_turn(corners, at, label.side, false, closed);
+  if (closed) {
+    for (std::size_t i = before; i + after + 1 < count; ++i) emit_into(corners[(at + 1 + i) % count]);
+  } else {
+    for (std::size_t i = at + 1 + before; i < count; ++i) emit_into(corners[i]);
+    for (std::size_t i = 0; i + after < at; ++i) emit_into(corners[i]);
   }
 }
 
-/// Windows from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
+/// A window from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
 void Propagation::emit_into(Index corner) {
-  const Index opposite = SurfaceMesh::next(corner);
-  const Apex apex(surface_, opposite);  // its apex is the vertex
+  const Apex apex(surface_, SurfaceMesh::next(corner));  // its apex is the vertex
   const Index vertex = apex.vertex();
   const Label label = labels_[vertex];
   const double by_left = label.distance + apex.left_length(), by_right = label.distance + apex.right_length();
-  const auto angle = [&](int i) { return std::atan2(apex.face.sine[i], apex.face.cosine[i]); };
   if (label_is_lower(apex.start(), by_left))
-    lower(apex.start(), by_left, label.source, opposite, angle(apex.a), {no_index, vertex});
+    lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {no_index, vertex});
   if (label_is_lower(apex.end(), by_right))
-    lower(apex.end(), by_right, label.source, apex.right(), 0, {no_index, vertex});
-  child_.clear();
-  child_.push({apex.length - apex.x, -apex.y, label.distance, 0, apex.length, vertex, no_index});
-  filter(child_, apex.length, labels_.distance(apex.end()), labels_.distance(apex.start()));
-  deliver(opposite, child_.arrays(), 0, child_.size(), Entry::apex, 1);
+    lower(apex.end(), {by_right, {}, apex.right(), label.source}, {no_index, vertex});
+  emit_window(apex.half_edge, {apex.length - apex.x, -apex.y, label.distance, 0, apex.length, vertex, no_index},
+              Entry::apex);
+}
+
+void Propagation::emit_window(Index edge, const Window& window, Entry entry) {
+  const Index block = store_.add(1);
+  Block& b = store_[block];
+  b.entry = entry, b.depth = 1;
+  b.windows().set(0, window);
+  b.windows().pad(1);
+  deliver(block, edge);
 }
 
 void Propagation::seed(const Source& source, Index number) {
   const SurfacePoint at = surface_.inner(source.at);
-  const double start = source.start;
   for (int i = 0; i < 3; ++i) {
     if (at.b[i] != 1) continue;
     const Index vertex = surface_.face(at.face).vertex[i];
-    if (label_is_lower(vertex, start)) lower(vertex, start, number, no_index, 0, {});
+    if (label_is_lower(vertex, source.start)) lower(vertex, {source.start, {}, no_index, number}, {});
     return;
   }
   surface_.for_each_name(at, [&](const SurfacePoint& here) { seed_face(here, source, number); });
@@ -415,20 +470,18 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
   for (int i = 0; i < 3; ++i) {
     const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
     const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
-    const double distance = source.start + std::hypot(x, y);
-    if (label_is_lower(apex.start(), distance))
-      lower(apex.start(), distance, number, apex.half_edge, std::max(0.0, std::atan2(y, x)), {});
+    const double away = std::sqrt(x * x + y * y), distance = source.start + away;
+    const Angle side = away > 0 ? Angle{x / away, y / away} : Angle{};
+    if (label_is_lower(apex.start(), distance)) lower(apex.start(), {distance, side, apex.half_edge, number}, {});
     if (at.b[apex.c] == 0) continue;
-    child_.clear();
-    child_.push({apex.length - x, -y, source.start, 0, apex.length,
-                 static_cast<Index>(surface_.vertex_count()) + number, no_index});
-    deliver(apex.half_edge, child_.arrays(), 0, 1, Entry::loose, 1);
+    const auto origin = static_cast<Index>(surface_.vertex_count()) + number;
+    emit_window(apex.half_edge, {apex.length - x, -y, source.start, 0, apex.length, origin, no_index}, Entry::loose);
   }
 }
 
 std::size_t Propagation::bytes() const {
   return labels_.bytes() + queue_.bytes() + waiting_.capacity() * sizeof(Index) + store_.bytes() + trimming_.bytes() +
-         kept_.bytes() + watched_.capacity() * sizeof(Watched) + list_.bytes() + child_.bytes() + chosen_.bytes();
+         kept_.bytes() + watched_.capacity() * sizeof(Watched) + list_.bytes() + chosen_.bytes();
 }
 
 }  // namespace geodrome::chen_han

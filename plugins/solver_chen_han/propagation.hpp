@@ -75,33 +75,43 @@ class Propagation {
 
   struct Apex;
   struct Split;
+  /// Windows where they are.
+  struct Span {
+    WindowArrays windows;
+    std::size_t count;
+  };
 
   void next();
   void process(Index half_edge);
-  void pass(Index half_edge, Index depth);
-  void lower_watched(Index half_edge);
-  void emit(Index vertex);
-  void emit_into(Index corner);
-  void seed_face(const SurfacePoint& at, const Source& source, Index number);
-  void lower(Index vertex, double distance, Index source, Index corner, double angle, const Step& step);
+  void gather(Index half_edge, Index first_block);
+  void pass(Index half_edge, Span list, Index depth);
+  void lower_watched(Index half_edge, const Span& list);
+  void lower(Index vertex, const Label& label, const Step& step);
   bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
 
-  Split split(const Apex& apex);
-  void carry_one_by_one(const Apex& apex, Index depth);
-  void lower_apex(const Apex& apex, const Split& split);
-  void lower_apex_by(const Apex& apex, std::size_t window, double x, double distance);
-  void carry_left(const Apex& apex, const WindowList& from, std::size_t end, std::size_t clipped, Index depth);
-  void carry_right(const Apex& apex, const WindowList& from, std::size_t begin, std::size_t clipped, Index depth);
-  void carry(const Turn& turn, const WindowList& from, std::size_t first, std::size_t count);
-  void send_children(Index edge, double length, double at_start, double at_end, Entry entry, Index depth);
-  void filter(WindowList& list, double length, double at_start, double at_end);
-  void deliver(Index edge, const WindowArrays& windows, std::size_t first, std::size_t count, Entry entry, Index depth);
-  void enqueue(Index half_edge, Index block);
+  static Split split(const Apex& apex, const Span& list);
+  void lower_apex(const Apex& apex, const Span& list, const Split& split);
+  void lower_apex_by(const Apex& apex, const Span& list, std::size_t window, double x, double distance);
+  void carry_one_by_one(const Apex& apex, const Span& list, Index depth);
+  void carry_left(const Apex& apex, const Span& list, std::size_t end, std::size_t clipped, Index depth);
+  void carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped, Index depth);
+  Index carry(const Span& list, const Turn& turn);
+  void send(Index block, Index edge, Entry entry, Index depth);
+  void filter(Span& list, double length, double at_start, double at_end);
+  void deliver(Index block, Index edge);
+  void wait_at(Index half_edge, Index block, double key);
+  Index copy_of(Index block, bool mirrored, double length);
 
+  void seed_face(const SurfacePoint& at, const Source& source, Index number);
+  void emit(Index vertex);
+  void emit_into(Index corner);
+  void emit_window(Index edge, const Window& window, Entry entry);
+  std::size_t corners_to_half_turn(std::span<const Index> corners, std::size_t at, Angle turned, bool forward,
+                                   bool closed) const;
 
   const FlatSurface& surface_;
   Settings settings_;
-  const Lanes& lanes_;
+  Lanes lanes_;
   Labels labels_;
   IndexedHeap queue_;           ///< half-edges, then vertices
   std::vector<Index> waiting_;  ///< first block of each half-edge
@@ -109,7 +119,7 @@ class Propagation {
   Trimming trimming_;
   KeptWindows kept_;
   std::vector<Watched> watched_;
-  WindowList list_, child_, chosen_;
+  WindowList list_, chosen_;
   std::vector<std::uint32_t> breaks_;
   std::vector<Index> blocks_;
   bool keep_ = false;

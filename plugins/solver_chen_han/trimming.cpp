@@ -2,7 +2,11 @@
 #include "solver_chen_han/trimming.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <utility>
+
+#include "solver_chen_han/bisector.hpp"
 
 namespace geodrome::chen_han {
 namespace {
@@ -33,9 +37,13 @@ Pair settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std:
 
 }  // namespace
 
-/// Regula falsi (Illinois), which keeps the root between its ends.
+/// By the formula if it holds, otherwise by regula falsi (Illinois), which keeps the root between its ends.
 double equal_place(const Window& a, const Window& b, double low, double high) {
-  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double formula = bisector_place(a.x, -a.y, a.sigma, b.x, -b.y, b.sigma);
+  if (low <= formula && formula <= high) {
+    const double distance = a.at(formula);
+    if (std::abs(distance - b.at(formula)) <= equal_share * distance) return formula;
+  }
   double at_low = a.at(low) - b.at(low), at_high = a.at(high) - b.at(high);
   int side = 0;
   for (int step = 0;; ++step) {
@@ -44,7 +52,7 @@ double equal_place(const Window& a, const Window& b, double low, double high) {
     const double secant = low + (high - low) * (at_low / (at_low - at_high));
     const double x = step < 50 && low < secant && secant < high ? secant : middle;
     const double distance = a.at(x), gap = distance - b.at(x);
-    if (std::abs(gap) <= rounding * distance) return x;
+    if (std::abs(gap) <= equal_share * distance) return x;
     if ((gap < 0) == (at_low < 0)) {
       low = x, at_low = gap;
       if (side == -1) at_high *= 0.5;
@@ -57,25 +65,31 @@ double equal_place(const Window& a, const Window& b, double low, double high) {
   }
 }
 
-void Trimming::trim(WindowList& list, std::vector<std::uint32_t>& breaks) {
+std::size_t Trimming::trim(const WindowArrays& w, std::size_t count, std::vector<std::uint32_t>& breaks) {
   breaks.clear();
-  const std::size_t count = list.size();
-  if (count == 0) return;
-  const WindowArrays& w = list.arrays();
-  cuts_.resize(std::max(cuts_.size(), count + WindowList::lanes));
+  if (cuts_.size() < count + most_lanes) cuts_.resize(2 * (count + most_lanes));
   const bool unsure = lanes_->cut(w, count, cuts_.data());
-  if (unsure) return repair(list, 0, breaks);
+  bool tangled = false;
   for (std::size_t i = 0; i + 1 < count; ++i)
     if (cuts_[i] < none) w.high[i] = w.low[i + 1] = cuts_[i];
+  for (std::size_t i = 0; unsure && i + 1 < count; ++i) {
+    if (!std::isnan(cuts_[i])) continue;
+    const Pair pair = settle(w, i, w, i + 1);
+    if (pair == Pair::drop_left) w.high[i] = w.low[i];
+    if (pair == Pair::drop_right) w.low[i + 1] = w.high[i + 1];
+    tangled = tangled || pair == Pair::tangled;
+  }
+  if (tangled) return repair(w, count, 0, breaks);
   for (std::size_t i = 0; i < count; ++i)
-    if (w.empty(i)) return repair(list, i, breaks);
+    if (w.empty(i)) return repair(w, count, i, breaks);
+  return count;
 }
 
 /// The list before `first` is in order. Walks on from there with a stack: a window that is used up goes, and its
 /// neighbours meet. Their intervals still hold the place where they do, since each was cut where the lost one was not
 /// better.
-void Trimming::repair(WindowList& list, std::size_t first, std::vector<std::uint32_t>& breaks) {
-  const WindowArrays& w = list.arrays();
+std::size_t Trimming::repair(const WindowArrays& w, std::size_t count, std::size_t first,
+                             std::vector<std::uint32_t>& breaks) {
   std::size_t end = first;  // windows [0, end) are in order
   std::size_t start = 0;    // of the present ordered run
   const auto take = [&](std::size_t i) {
@@ -94,17 +108,15 @@ void Trimming::repair(WindowList& list, std::size_t first, std::vector<std::uint
     }
     return true;
   };
-  const std::size_t count = list.size();
   for (std::size_t i = first; i < count; ++i)
     if (take(i)) {
       if (end != i) w.set(end, w.get(i));
       ++end;
     }
   dropped_ += count - end;
-  list.resize(end);
   // A run may have shrunk to nothing behind a break.
-  breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   while (!breaks.empty() && breaks.back() >= end) breaks.pop_back();
+  return end;
 }
 
 namespace {
@@ -228,7 +240,7 @@ bool Trimming::append(WindowList& list, const WindowArrays& right, std::size_t c
     break;
   }
   dropped_ += (middle - left) + (next - middle);
-  copy_windows(w, next, end - next, w, left);
+  if (next > left) copy_windows(w.without(next), end - next, w.without(left));
   list.resize(left + end - next);
   return true;
 }

@@ -25,9 +25,10 @@ class Trimming {
  public:
   explicit Trimming(const Lanes& lanes) : lanes_(&lanes) {}
 
-  /// Trims ordered windows that may overlap until they are disjoint and ascending, and drops what is left empty.
-  /// `breaks` gets the positions before which a pair could not be put in order: the list is ordered between them only.
-  void trim(WindowList& list, std::vector<std::uint32_t>& breaks);
+  /// Trims `count` >= 1 ordered windows that may overlap until they are disjoint and ascending, and drops what is left
+  /// empty; returns how many remain. `breaks` gets the positions before which a pair could not be put in order: the list
+  /// is ordered between them only. The arrays are padded.
+  std::size_t trim(const WindowArrays& windows, std::size_t count, std::vector<std::uint32_t>& breaks);
 
   /// Appends the ordered, disjoint windows of `right`, which enter to the right of all those of `list`, and trims at the
   /// seam. False, and nothing of `right` taken, if they cannot be put in order; what `list` lost is not needed.
@@ -42,7 +43,8 @@ class Trimming {
   std::size_t bytes() const { return cuts_.capacity() * sizeof(double) + merged_.bytes(); }
 
  private:
-  void repair(WindowList& list, std::size_t first, std::vector<std::uint32_t>& breaks);
+  std::size_t repair(const WindowArrays& windows, std::size_t count, std::size_t first,
+                     std::vector<std::uint32_t>& breaks);
 
   const Lanes* lanes_;
   std::vector<double> cuts_;

@@ -22,12 +22,12 @@ enum class Entry : std::uint8_t {
 /// Windows that wait at a half-edge, ordered along it and disjoint.
 struct Block {
   double* memory;
-  std::uint32_t count, capacity;
+  std::uint32_t first, count, capacity;
   Index next;   ///< block at the same half-edge, no_index after the last
   Index depth;  ///< faces crossed since the pseudo-source, at least
   Entry entry;
 
-  WindowArrays windows() const { return {memory, capacity}; }
+  WindowArrays windows() const { return WindowArrays(memory, capacity).without(first); }
 };
 
 /// The memory of waiting windows: blocks cut from pages and used again by size, so that it holds the wavefront and no
@@ -37,6 +37,7 @@ class WindowStore {
   const Block& operator[](Index block) const { return blocks_[block]; }
   Block& operator[](Index block) { return blocks_[block]; }
 
+  /// A block for `count` windows and padding; the rest of it has any value.
   Index add(std::size_t count) {
     Index block;
     if (free_block_ == no_index) {
@@ -45,10 +46,12 @@ class WindowStore {
     } else {
       block = free_block_, free_block_ = blocks_[block].next;
     }
-    const std::size_t kind = size_class(count), capacity = capacity_of(kind);
-    blocks_[block] = {take(kind), static_cast<std::uint32_t>(count), static_cast<std::uint32_t>(capacity),
-                      no_index,   0,
-                      Entry::loose};
+    const std::size_t kind = size_class(count + most_lanes), capacity = capacity_of(kind);
+    blocks_[block].memory = take(kind);
+    blocks_[block].first = 0;
+    blocks_[block].count = static_cast<std::uint32_t>(count);
+    blocks_[block].capacity = static_cast<std::uint32_t>(capacity);
+    blocks_[block].next = no_index;
     return block;
   }
 
@@ -65,9 +68,9 @@ class WindowStore {
   static constexpr std::size_t steps = 4;            // sizes to an octave
 
   /// Capacities 4, 8, 12, 16, then four steps to each doubling.
-  static std::size_t size_class(std::size_t count) {
+  static std::size_t size_class(std::size_t capacity) {
     std::size_t kind = 0;
-    while (capacity_of(kind) < count) ++kind;
+    while (capacity_of(kind) < capacity) ++kind;
     return kind;
   }
   static std::size_t capacity_of(std::size_t kind) {

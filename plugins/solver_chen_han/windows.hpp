@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 
 #include "geodrome/geometry.hpp"
@@ -25,6 +24,9 @@ struct Window {
   double at(double px) const { return to(px, 0); }
 };
 
+/// Registers hold at most this many doubles. Loops over windows may read and write up to so many beyond the last one.
+inline constexpr std::size_t most_lanes = 4;
+
 /// Windows as arrays, one for each member, so that SIMD lanes read them as they are. Does not own its memory.
 struct WindowArrays {
   static constexpr std::size_t doubles_per_window = 6;  // two indices share the sixth
@@ -41,6 +43,14 @@ struct WindowArrays {
         origin(reinterpret_cast<Index*>(memory + 5 * capacity)),
         parent(origin + capacity) {}
 
+  /// The same windows without the first `count`.
+  WindowArrays without(std::size_t count) const {
+    WindowArrays rest = *this;
+    rest.x += count, rest.y += count, rest.sigma += count, rest.low += count, rest.high += count;
+    rest.origin += count, rest.parent += count;
+    return rest;
+  }
+
   Window get(std::size_t i) const { return {x[i], y[i], sigma[i], low[i], high[i], origin[i], parent[i]}; }
   void set(std::size_t i, const Window& w) const {
     x[i] = w.x, y[i] = w.y, sigma[i] = w.sigma, low[i] = w.low, high[i] = w.high;
@@ -51,23 +61,32 @@ struct WindowArrays {
   double to(std::size_t i, double px, double py) const {
     return sigma[i] + std::sqrt((px - x[i]) * (px - x[i]) + (py - y[i]) * (py - y[i]));
   }
+
+  /// Puts copies of the last window behind it: lanes that nobody asked for then compute with sound numbers.
+  void pad(std::size_t count) const {
+    const Window last = get(count - 1);
+    for (std::size_t i = count; i < count + most_lanes; ++i)
+      x[i] = last.x, y[i] = last.y, sigma[i] = last.sigma, low[i] = last.low, high[i] = last.high;
+  }
 };
 
-/// Copies `count` windows, from position `from` to position `to`.
-inline void copy_windows(const WindowArrays& source, std::size_t from, std::size_t count, WindowArrays target,
-                         std::size_t to) {
-  const auto copy = [=](const auto* a, auto* b) { std::memmove(b + to, a + from, count * sizeof(*a)); };
-  copy(source.x, target.x), copy(source.y, target.y), copy(source.sigma, target.sigma);
-  copy(source.low, target.low), copy(source.high, target.high);
-  copy(source.origin, target.origin), copy(source.parent, target.parent);
+/// Copies an array, a register at a time: up to `most_lanes` - 1 elements more than asked.
+template <class Number>
+void copy_lanes(const Number* from, std::size_t count, Number* to) {
+  for (std::size_t i = 0; i < count; i += most_lanes)
+    for (std::size_t k = 0; k < most_lanes; ++k) to[i + k] = from[i + k];
 }
 
-/// An ordered list of windows that grows: what one pass over a half-edge works on. Kept from pass to pass. There is
-/// always room for one SIMD register more than it holds.
+/// Copies windows; both must have room for `most_lanes` - 1 more.
+inline void copy_windows(const WindowArrays& from, std::size_t count, const WindowArrays& to) {
+  copy_lanes(from.x, count, to.x), copy_lanes(from.y, count, to.y), copy_lanes(from.sigma, count, to.sigma);
+  copy_lanes(from.low, count, to.low), copy_lanes(from.high, count, to.high);
+  copy_lanes(from.origin, count, to.origin), copy_lanes(from.parent, count, to.parent);
+}
+
+/// A list of windows that grows; kept from pass to pass.
 class WindowList {
  public:
-  static constexpr std::size_t lanes = 8;
-
   WindowList() { reserve(64); }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
@@ -76,7 +95,7 @@ class WindowList {
 
   /// Sets the size; windows beyond the old one have any value.
   void resize(std::size_t size) {
-    if (size + lanes > capacity_) reserve(2 * size + lanes);
+    if (size + 2 * most_lanes > capacity_) reserve(2 * (size + most_lanes));
     size_ = size;
   }
   void clear() { size_ = 0; }
@@ -87,19 +106,14 @@ class WindowList {
   void append(const WindowArrays& source, std::size_t count) {
     const std::size_t end = size_;
     resize(end + count);
-    copy_windows(source, 0, count, arrays_, end);
-  }
-  /// Drops all but the windows [first, last).
-  void keep(std::size_t first, std::size_t last) {
-    if (first > 0) copy_windows(arrays_, first, last - first, arrays_, 0);
-    size_ = last - first;
+    copy_windows(source, count, arrays_.without(end));
   }
 
  private:
   void reserve(std::size_t capacity) {
     auto memory = std::make_unique<double[]>(capacity * WindowArrays::doubles_per_window);
     const WindowArrays bigger(memory.get(), capacity);
-    copy_windows(arrays_, 0, size_, bigger, 0);
+    if (size_ > 0) copy_windows(arrays_, size_, bigger);
     memory_ = std::move(memory), arrays_ = bigger, capacity_ = capacity;
   }
 
