@@ -18,6 +18,8 @@ enum class Pair { in_order, cut, drop_left, drop_right, tangled };
 
 /// Brings an ordered pair of windows into order by the lemma, with nothing else known.
 Pair settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std::size_t right) {
+  if (w.empty(left)) return Pair::drop_left;
+  if (v.empty(right)) return Pair::drop_right;
   if (w.high[left] <= v.low[right]) return Pair::in_order;
   const double low = std::max(w.low[left], v.low[right]), high = std::min(w.high[left], v.high[right]);
   if (low < high) {
