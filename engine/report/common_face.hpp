@@ -54,15 +54,19 @@ class CommonFace {
     return point;
   }
 
-  /// The straight distance of two points in the first face that holds both; nothing if none does. O(degree).
+  /// The straight distance of two points in a face that holds both; nothing if none does. O(the lowest degree of the
+  /// corners that p depends on).
   std::optional<double> straight(const SurfacePoint& p, const SurfacePoint& q) const {
+    // A face that holds p holds each corner that p depends on: the one with the fewest faces is enough.
+    std::span<const Index> faces;
     for (int i = 0; i < 3; ++i) {
       if (p.b[i] == 0) continue;
-      for (const Index face : faces_at(mesh_.triangles()[p.face][i])) {
-        const auto a = on_face(p, face), b = on_face(q, face);
-        if (a && b) return within(face, *a, *b);
-      }
-      break;  // a face that holds p holds each corner that p depends on: one of them is enough
+      const std::span<const Index> there = faces_at(mesh_.triangles()[p.face][i]);
+      if (faces.empty() || there.size() < faces.size()) faces = there;
+    }
+    for (const Index face : faces) {
+      const auto a = on_face(p, face), b = on_face(q, face);
+      if (a && b) return within(face, *a, *b);
     }
     return std::nullopt;
   }

@@ -13,10 +13,11 @@ static inline double select(bool condition, double yes, double no) { return cond
 static inline double root(double v) { return std::sqrt(v); }
 
 /// Where the line y = 0 meets the bisector of two images: points p = (x, 0) with |p - g1| + s1 = |p - g2| + s2, h1 and
-/// h2 the heights of the line above the images. A quadratic equation for t = x - x1, of which the root is wanted at which
-/// image 2 becomes the nearer one. With w = g2 - g1, s = s2 - s1, c = w^2 - s^2, beta = w_y h1 - c/2 and Q = sqrt(c (4 h1
-/// h2 + c)) / 2 it is t = (s Q - w_x beta) / (w_x^2 - s^2) = (s^2 h1^2 - beta^2) / (s Q + w_x beta), whichever does not
-/// cancel. Any value, or NaN, where they do not meet: check the result. `Number` is double or a register of doubles.
+/// h2 the heights of the line above the images. A quadratic equation for t = x - x1, of which the root is wanted at
+/// which image 2 becomes the nearer one. With w = g2 - g1, s = s2 - s1, c = w^2 - s^2, beta = w_y h1 - c/2 and Q =
+/// sqrt(c (4 h1 h2 + c)) / 2 it is t = (s Q - w_x beta) / (w_x^2 - s^2) = (s^2 h1^2 - beta^2) / (s Q + w_x beta),
+/// whichever does not cancel. Any value, or NaN, where they do not meet: check the result. `Number` is double or a
+/// register of doubles.
 template <class Number>
 Number bisector_place(const Number& x1, const Number& h1, const Number& s1, const Number& x2, const Number& h2,
                       const Number& s2) {

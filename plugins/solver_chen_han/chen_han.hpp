@@ -7,12 +7,12 @@
 
 namespace geodrome {
 
-/// Exact distances by windows: Chen and Han (1990, 1996), with the filters of Xin and Wang (2009) and whole lists carried
-/// across triangles (Qin et al. 2016).
+/// Exact distances by windows: Chen and Han (1990, 1996), with the filters of Xin and Wang (2009) and whole lists
+/// carried across triangles (Qin et al. 2016).
 ///
-/// Any mesh: open, non-manifold, unoriented, with faces without area. A search allocates only while it grows; a run costs
-/// what it reaches: O(w log F) for w windows, w ~ F^1.5 on smooth surfaces. With Keep::targets only the wavefront is in
-/// memory.
+/// Any mesh: open, non-manifold, unoriented, with faces without area. A search allocates only while it grows; a run
+/// costs what it reaches: O(w log F) for w windows, w ~ F^1.5 on smooth surfaces. With Keep::targets only the wavefront
+/// is in memory.
 class ChenHanSolver final : public ShortestPathSolver {
  public:
   static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |

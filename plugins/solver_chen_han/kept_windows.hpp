@@ -10,8 +10,8 @@
 
 namespace geodrome::chen_han {
 
-/// The windows that were carried on, numbered in that order, by half-edge: the shortest-path map. Reused from run to run;
-/// its memory stays.
+/// The windows that were carried on, numbered in that order, by half-edge: the shortest-path map. Reused from run to
+/// run; its memory stays.
 class KeptWindows {
  public:
   /// Makes it empty. O(what it held).
@@ -62,8 +62,8 @@ class KeptWindows {
 };
 
 /// The length of the way through a window to a point (px, py) in its face: straight if a line of the window goes there,
-/// else bent at its nearer end. Always the length of a path that exists. `best` bounds what is of interest: a window that
-/// is not below may return any value that is not.
+/// else bent at its nearer end. Always the length of a path that exists. `best` bounds what is of interest: a window
+/// that is not below may return any value that is not.
 inline double way_through(const Window& w, double px, double py, double best) {
   const double straight = w.to(px, py);
   if (!(straight < best)) return straight;

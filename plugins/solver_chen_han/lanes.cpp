@@ -8,9 +8,7 @@ namespace geodrome::chen_han {
 #ifdef GEODROME_X86_LEVELS
 extern const Lanes avx2_lanes;
 
-bool has_simd(Simd level) {
-  return level == Simd::baseline || __builtin_cpu_supports("avx2");
-}
+bool has_simd(Simd level) { return level == Simd::baseline || __builtin_cpu_supports("avx2"); }
 
 const Lanes& lanes(Simd level) {
   static constexpr Lanes baseline = lanes_of<2>;
@@ -25,8 +23,6 @@ const Lanes& lanes(Simd) {
 }
 #endif
 
-Simd best_simd() {
-  return has_simd(Simd::avx2) ? Simd::avx2 : Simd::baseline;
-}
+Simd best_simd() { return has_simd(Simd::avx2) ? Simd::avx2 : Simd::baseline; }
 
 }  // namespace geodrome::chen_han

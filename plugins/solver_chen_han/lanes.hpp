@@ -14,20 +14,20 @@ struct Turn {
   double away;  ///< where the end of a window goes whose line never meets the new edge: 0 or `limit`
 };
 
-/// The loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE operations
-/// on every window, so all give the same bytes. Arrays must be padded: up to `most_lanes` windows beyond the last are
-/// read and, in what is written, have any value afterwards.
+/// The loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE
+/// operations on every window, so all give the same bytes. Arrays must be padded: up to `most_lanes` windows beyond the
+/// last are read and, in what is written, have any value afterwards.
 struct Lanes {
   /// The first `count` windows of `in` as seen from the new edge.
   void (*carry)(const WindowArrays& in, std::size_t count, const Turn& turn, const WindowArrays& out);
 
   /// For windows i and i + 1 that overlap, where to cut: cut[i] is the place at which they are equally far, or the end
-  /// of the one that wins all of the overlap if it ends it. +inf where they do not overlap, NaN where the formula did not
-  /// pass its check; true if there is such a place. Reads `count` windows, count >= 1, writes count - 1 cuts.
+  /// of the one that wins all of the overlap if it ends it. +inf where they do not overlap, NaN where the formula did
+  /// not pass its check; true if there is such a place. Reads `count` windows, count >= 1, writes count - 1 cuts.
   bool (*cut)(const WindowArrays& windows, std::size_t count, double* cut);
 
-  /// Whether the windows that have lines to the left of point (x, y) are the first `left_end`, and those with lines to the
-  /// right of it the ones from `right_begin` on.
+  /// Whether the windows that have lines to the left of point (x, y) are the first `left_end`, and those with lines to
+  /// the right of it the ones from `right_begin` on.
   bool (*parted)(const WindowArrays& windows, std::size_t count, double x, double y, std::size_t right_begin,
                  std::size_t left_end);
 };

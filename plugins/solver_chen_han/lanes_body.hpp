@@ -89,8 +89,8 @@ void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const Wi
 template <int N>
 bool cut(const WindowArrays& w, std::size_t count, double* cuts) {
   using Double = Register<N>;
-  const Double zero, none(std::numeric_limits<double>::infinity()),
-      unknown(std::numeric_limits<double>::quiet_NaN()), share(equal_share);
+  const Double zero, none(std::numeric_limits<double>::infinity()), unknown(std::numeric_limits<double>::quiet_NaN()),
+      share(equal_share);
   typename Double::Mask failed{};
   for (std::size_t i = 0; i + 1 < count; i += N) {
     const Double low_2(w.low + i + 1), high_1(w.high + i), low = most(Double(w.low + i), low_2);

@@ -3,90 +3,34 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+
+#include "solver_chen_han/emission.hpp"
 
 namespace geodrome::chen_han {
 namespace {
-
-/// A half-edge leaves the queue at the least distance of its windows plus this share of its length: late enough that
-/// windows of all sides have come, early enough that what depends on it need not be done again.
-constexpr double patience = 0.25;
 
 /// A way is worse than another only if it is longer by this share: more than the rounding of any path, so that of two
 /// equal ways none is dropped for the other.
 constexpr double rounding = 1e-13;
 
-/// Directions that a pseudo-source emits are widened by this angle (rad): more than the error of the direction that it
-/// was reached from. A window too many costs little.
-constexpr double emission_margin = 1e-3;
-
 }  // namespace
-
-/// A face seen from one of its half-edges: start A, end B, the third corner C at (x, y).
-struct Propagation::Apex {
-  Index half_edge;
-  const FlatSurface::Face& face;
-  int a, b, c;
-  double length, x, y;
-
-  Apex(const FlatSurface& surface, Index h)
-      : half_edge(h), face(surface.face_of(h)), a(h % 3), b((a + 1) % 3), c((a + 2) % 3), length(face.length[a]) {
-    std::tie(x, y) = FlatSurface::apex(face, a);
-  }
-  Index start() const { return face.vertex[a]; }
-  Index end() const { return face.vertex[b]; }
-  Index vertex() const { return face.vertex[c]; }
-  double left_length() const { return face.length[c]; }
-  double right_length() const { return face.length[b]; }
-  /// The half-edges from B to C and from C to A.
-  Index right() const { return SurfaceMesh::next(half_edge); }
-  Index left() const { return SurfaceMesh::previous(half_edge); }
-
-  Angle angle(int corner) const { return {face.cosine[corner], face.sine[corner]}; }
-
-  /// Whether window i has lines to the left or right of C.
-  bool has_left(const WindowArrays& w, std::size_t i) const {
-    return side_of_line(w.x[i], w.y[i], w.low[i], x, y) < 0;
-  }
-  bool has_right(const WindowArrays& w, std::size_t i) const {
-    return side_of_line(w.x[i], w.y[i], w.high[i], x, y) > 0;
-  }
-};
-
-/// How an ordered list meets the apex: windows [0, left_end) have lines to its left, [right_begin, end) to its right;
-/// what is in both has lines to it. `best` of those (or no such) keeps both sides: one angle, one split.
-struct Propagation::Split {
-  std::size_t right_begin, left_end, best;
-  bool covered() const { return right_begin < left_end; }
-  std::size_t last_left() const { return covered() ? best + 1 : left_end; }
-  std::size_t first_right() const { return covered() ? best : right_begin; }
-};
 
 Propagation::Propagation(const FlatSurface& surface, const Settings& settings)
     : surface_(surface),
       settings_(settings),
       lanes_(lanes(settings.simd)),
       labels_(surface.vertex_count()),
-      queue_(3 * surface.face_count() + surface.vertex_count()),
-      waiting_(3 * surface.face_count(), no_index),
+      wavefront_(surface),
+      store_(wavefront_.store()),
       trimming_(lanes_) {}
 
 void Propagation::begin(bool keep, double limit) {
-  while (!queue_.empty()) {  // a run that was stopped
-    const Index element = queue_.pop();
-    if (element >= waiting_.size()) continue;
-    for (Index b = waiting_[element]; b != no_index;) {
-      const Index next = store_[b].next;
-      store_.release(b);
-      b = next;
-    }
-    waiting_[element] = no_index;
-  }
+  wavefront_.clear();  // what a run that was stopped left behind
   labels_.reset(keep);
   keep_ = keep;
   limit_ = limit;
   kept_.reset();
-  if (keep) kept_.prepare(waiting_.size());
+  if (keep) kept_.prepare(3 * surface_.face_count());
   watched_.clear();
   trimming_.reset();
   counts_ = {};
@@ -98,18 +42,16 @@ Index Propagation::source_of(Index origin) const {
 }
 
 void Propagation::next() {
-  const Index element = queue_.pop();
-  if (element < waiting_.size())
-    process(element);
+  const Wavefront::Next next = wavefront_.pop();
+  if (next.vertex != no_index)
+    emit(next.vertex);
   else
-    emit(element - static_cast<Index>(waiting_.size()));
+    process(next.half_edge, next.block);
   counts_.trimmed = trimming_.dropped();
 }
 
 /// Carries on what waits at a half-edge, as one list.
-void Propagation::process(Index half_edge) {
-  const Index block = waiting_[half_edge];
-  waiting_[half_edge] = no_index;
+void Propagation::process(Index half_edge, Index block) {
   if (store_[block].next != no_index) return gather(half_edge, block);
   pass(half_edge, {store_[block].windows(), store_[block].count}, store_[block].depth);
   store_.release(block);
@@ -155,7 +97,7 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
   if (!watched_.empty()) lower_watched(half_edge, list);
 
   if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
-  const Split split = this->split(apex, list);
+  const Split split = split_at(apex, list.windows, list.count);
   if (!lanes_.parted(list.windows, list.count, apex.x, apex.y, split.right_begin, split.left_end))
     return carry_one_by_one(apex, list, depth + 1);
   lower_apex(apex, list, split);
@@ -186,30 +128,9 @@ void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index dep
   carry_right(apex, right, 0, 0, depth);
 }
 
-/// The windows that have lines to the left of the apex are the first ones of an ordered list, those with lines to the
-/// right the last ones, almost always.
-Propagation::Split Propagation::split(const Apex& apex, const Span& list) {
-  const WindowArrays& w = list.windows;
-  const auto first = [&](auto&& holds) {
-    std::size_t low = 0, high = list.count;
-    while (low < high) {
-      const std::size_t middle = (low + high) / 2;
-      holds(middle) ? high = middle : low = middle + 1;
-    }
-    return low;
-  };
-  Split split{};
-  split.right_begin = first([&](std::size_t i) { return apex.has_right(w, i); });
-  split.left_end = first([&](std::size_t i) { return !apex.has_left(w, i); });
-  split.best = split.right_begin;
-  for (std::size_t i = split.right_begin + 1; i < split.left_end; ++i)
-    if (w.to(i, apex.x, apex.y) < w.to(split.best, apex.x, apex.y)) split.best = i;
-  return split;
-}
-
 /// Lowers the apex: by the best window that has a line to it, by the ends of windows that end beside it, and along the
-/// edges. A way that bends at the end of a window exists as well; it is what keeps a vertex that lies in the gap between
-/// two windows, by rounding or behind a saddle too flat to count as one.
+/// edges. A way that bends at the end of a window exists as well; it is what keeps a vertex that lies in the gap
+/// between two windows, by rounding or behind a saddle too flat to count as one.
 void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& split) {
   const WindowArrays& w = list.windows;
   const auto bent = [&](std::size_t i, double x) {
@@ -229,8 +150,7 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
   if (label_is_lower(apex.vertex(), by_start))
     lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {no_index, apex.start()});
   if (label_is_lower(apex.vertex(), by_end))
-    lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source},
-          {no_index, apex.end()});
+    lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source}, {no_index, apex.end()});
 }
 
 /// By window i, coming from its image, or from (x, 0) if the way bends there.
@@ -250,13 +170,13 @@ void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t 
 void Propagation::lower(Index vertex, const Label& label, const Step& step) {
   labels_.set(vertex, label, step);
   if (label.corner == no_index || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
-    queue_.push(static_cast<Index>(waiting_.size()) + vertex, label.distance);
+    wavefront_.push_vertex(vertex, label.distance);
 }
 
 void Propagation::lower_watched(Index half_edge, const Span& list) {
   const Index face = half_edge / 3;
-  auto it = std::lower_bound(watched_.begin(), watched_.end(), face,
-                             [](const Watched& w, Index f) { return w.at.face < f; });
+  auto it =
+      std::lower_bound(watched_.begin(), watched_.end(), face, [](const Watched& w, Index f) { return w.at.face < f; });
   for (; it != watched_.end() && it->at.face == face; ++it) {
     const auto [px, py] = surface_.in_frame(half_edge, it->at.b);
     for (std::size_t i = 0; i < list.count; ++i) {
@@ -269,26 +189,21 @@ void Propagation::lower_watched(Index half_edge, const Span& list) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Across a face
 
-/// The lines to the left of the apex, of the first `end` windows; those from `clipped` on also have lines to the apex, or
-/// beyond it.
+/// The lines to the left of the apex, of the first `end` windows; those from `clipped` on also have lines to the apex,
+/// or beyond it.
 void Propagation::carry_left(const Apex& apex, const Span& list, std::size_t end, std::size_t clipped, Index depth) {
-  if (end == 0 || apex.face.across[apex.c] == no_index) return;
-  const double limit = apex.left_length();
-  const Index block =
-      carry({list.windows, end}, {0, apex.face.cosine[apex.a], apex.face.sine[apex.a], 0, limit, limit});
+  if (end == 0 || apex.left_is_boundary()) return;
+  const Index block = carry({list.windows, end}, apex.turn_left());
   const WindowArrays child = store_[block].windows();
-  for (std::size_t i = clipped; i < end; ++i) child.high[i] = limit;
+  for (std::size_t i = clipped; i < end; ++i) child.high[i] = apex.left_length();
   send(block, apex.left(), Entry::left, depth);
 }
 
 /// The lines to the right of the apex, of the windows from `begin` on; those before `clipped` also have lines to the
 /// apex, or beyond it.
-void Propagation::carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped,
-                              Index depth) {
-  if (begin == list.count || apex.face.across[apex.b] == no_index) return;
-  const double limit = apex.right_length();
-  const Index block = carry({list.windows.without(begin), list.count - begin},
-                            {apex.length, apex.face.cosine[apex.b], -apex.face.sine[apex.b], limit, limit, 0});
+void Propagation::carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped, Index depth) {
+  if (begin == list.count || apex.right_is_boundary()) return;
+  const Index block = carry({list.windows.without(begin), list.count - begin}, apex.turn_right());
   const WindowArrays child = store_[block].windows();
   for (std::size_t i = begin; i < clipped; ++i) child.low[i - begin] = 0;
   send(block, apex.right(), Entry::right, depth);
@@ -305,8 +220,8 @@ Index Propagation::carry(const Span& list, const Turn& turn) {
   return block;
 }
 
-/// Trims a block of windows that left a face through half-edge `edge`, in the frame of the other side, and hands on what
-/// is left of it.
+/// Trims a block of windows that left a face through half-edge `edge`, in the frame of the other side, and hands on
+/// what is left of it.
 void Propagation::send(Index block, Index edge, Entry entry, Index depth) {
   Block& b = store_[block];
   b.entry = entry, b.depth = depth;
@@ -321,9 +236,9 @@ void Propagation::send(Index block, Index edge, Entry entry, Index depth) {
     store_[rest].windows().pad(store_[rest].count);
     store_[rest].entry = entry, store_[rest].depth = depth;
     store_[block].count = first;
-    deliver(rest, edge);
+    counts_.created += wavefront_.push_block(rest, edge, limit_);
   }
-  deliver(block, edge);
+  counts_.created += wavefront_.push_block(block, edge, limit_);
 }
 
 /// Xin and Wang's filter, and the trimming that follows from it: |image x| - x falls along the half-edge, so where the
@@ -339,96 +254,15 @@ void Propagation::filter(Span& list, double length, double at_start, double at_e
   list = {w.without(first), last - first};
 }
 
-/// Lets a block wait at every other half-edge on an edge; it is in the frame of one that runs the other way.
-void Propagation::deliver(Index block, Index edge) {
-  const std::uint32_t count = store_[block].count;
-  if (count == 0) return store_.release(block);
-  const WindowArrays w = store_[block].windows();
-  const double width = w.high[count - 1] - w.low[0];
-  const double near = 0.5 * (w.at(0, w.low[0]) + w.at(count - 1, w.high[count - 1]) - width);
-  bool used = false;
-  if (near <= limit_ + rounding * near) {
-    const double length = surface_.length(edge);
-    surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
-      const Index own = mirrored || used ? copy_of(block, mirrored, length) : block;
-      used = used || own == block;
-      wait_at(half_edge, own, near + patience * length);
-    });
-  }
-  if (!used) store_.release(block);
-}
-
-void Propagation::wait_at(Index half_edge, Index block, double key) {
-  counts_.created += store_[block].count;
-  store_[block].next = waiting_[half_edge];
-  waiting_[half_edge] = block;
-  queue_.push(half_edge, key);
-}
-
-Index Propagation::copy_of(Index block, bool mirrored, double length) {
-  const std::uint32_t count = store_[block].count;
-  const Index copy = store_.add(count);
-  const WindowArrays from = store_[block].windows(), to = store_[copy].windows();
-  store_[copy].depth = store_[block].depth;
-  Entry& entry = store_[copy].entry = store_[block].entry;
-  if (!mirrored) {
-    copy_windows(from, count, to);
-  } else {
-    if (entry == Entry::left || entry == Entry::right) entry = entry == Entry::left ? Entry::right : Entry::left;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Window w = from.get(i);
-      to.set(count - 1 - i, {length - w.x, w.y, w.sigma, length - w.high, length - w.low, w.origin, w.parent});
-    }
-  }
-  to.pad(count);
-  return copy;
-}
-
 // ---------------------------------------------------------------------------------------------------------------------
 // Sources and pseudo-sources
 
-/// How many corners from position `at` on, going round one way, come before the first that reaches a half turn from where
-/// the path came in; `turned` is the angle to the near side of the first of them. All of them if none does.
-std::size_t Propagation::corners_to_half_turn(std::span<const Index> corners, std::size_t at, Angle turned,
-                                              bool forward, bool closed) const {
-  static const Angle margin{std::cos(emission_margin), std::sin(emission_margin)};
-  const std::size_t count = corners.size(), rest = closed ? count - 1 : forward ? count - 1 - at : at;
-  for (std::size_t passed = 0; passed < rest; ++passed) {
-    const std::size_t i = forward ? (at + 1 + passed) % count : (at + count - 1 - passed) % count;
-    turned = turned + Angle{surface_.face_of(corners[i]).cosine[corners[i] % 3],
-                            surface_.face_of(corners[i]).sine[corners[i] % 3]};
-    const Angle widened = turned + margin;
-    if (widened.sine < 0 || (widened.sine == 0 && widened.cosine < 0)) return passed;
-  }
-  return rest;
-}
-
-/// A vertex sends windows across the faces around it: a source to all sides, a saddle to where they make an angle of at
-/// least pi on both sides with the way that came in.
 void Propagation::emit(Index vertex) {
   const Label label = labels_[vertex];
-  const FlatSurface::VertexKind kind = surface_.kind(vertex);
-  const bool everywhere = label.corner == no_index || kind == FlatSurface::VertexKind::irregular;
-  if (label.distance > limit_ || (!everywhere && kind == FlatSurface::VertexKind::smooth)) return;
-  ++counts_.emissions;
-  const auto corners = surface_.corners(vertex);
-  if (everywhere) {
-    for (const Index corner : corners) emit_into(corner);
-    return;
-  }
-  const std::size_t count = corners.size();
-  const std::size_t at = std::find(corners.begin(), corners.end(), label.corner) - corners.begin();
-  const FlatSurface::Face& face = surface_.face_of(label.corner);
-  const Angle corner{face.cosine[label.corner % 3], face.sine[label.corner % 3]};
-  const bool closed = kind == FlatSurface::VertexKind::saddle;
-  const std::size_t before = corners_to_half_turn(corners, at, corner - label.side, true, closed);
-  const std::size_t after = corners_to_half_turn(corners, at, label.side, false, closed);
-  if (closed) {
-    for (std::size_t i = before; i + after + 1 < count; ++i) emit_into(corners[(at + 1 + i) % count]);
-  } else {
-    for (std::size_t i = at + 1 + before; i < count; ++i) emit_into(corners[i]);
-    for (std::size_t i = 0; i + after < at; ++i) emit_into(corners[i]);
-  }
+  if (label.distance > limit_) return;
+  corners_that_emit(surface_, vertex, label, emitting_);
+  counts_.emissions += !emitting_.empty();
+  for (const Index corner : emitting_) emit_into(corner);
 }
 
 /// A window from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
@@ -451,7 +285,7 @@ void Propagation::emit_window(Index edge, const Window& window, Entry entry) {
   b.entry = entry, b.depth = 1;
   b.windows().set(0, window);
   b.windows().pad(1);
-  deliver(block, edge);
+  counts_.created += wavefront_.push_block(block, edge, limit_);
 }
 
 void Propagation::seed(const Source& source, Index number) {
@@ -480,8 +314,8 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
 }
 
 std::size_t Propagation::bytes() const {
-  return labels_.bytes() + queue_.bytes() + waiting_.capacity() * sizeof(Index) + store_.bytes() + trimming_.bytes() +
-         kept_.bytes() + watched_.capacity() * sizeof(Watched) + list_.bytes() + chosen_.bytes();
+  return labels_.bytes() + wavefront_.bytes() + trimming_.bytes() + kept_.bytes() +
+         watched_.capacity() * sizeof(Watched) + list_.bytes() + chosen_.bytes();
 }
 
 }  // namespace geodrome::chen_han

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "common/solvers/flat_surface.hpp"
-#include "common/solvers/indexed_heap.hpp"
 #include "geodrome/run_context.hpp"
 #include "geodrome/shortest_path_solver.hpp"
+#include "solver_chen_han/apex.hpp"
 #include "solver_chen_han/kept_windows.hpp"
 #include "solver_chen_han/labels.hpp"
 #include "solver_chen_han/settings.hpp"
 #include "solver_chen_han/trimming.hpp"
-#include "solver_chen_han/window_store.hpp"
+#include "solver_chen_han/wavefront.hpp"
 
 namespace geodrome::chen_han {
 
@@ -56,7 +56,7 @@ class Propagation {
   /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may give a new one.
   template <class LowerLimit>
   void run(const RunContext& context, LowerLimit&& lower_limit) {
-    for (std::uint64_t step = 0; !queue_.empty(); ++step) {
+    for (std::uint64_t step = 0; !wavefront_.empty(); ++step) {
       if (step % poll_interval == 0) context.throw_if_cancelled();
       if (step % poll_interval == poll_interval - 1) limit_ = std::min(limit_, lower_limit());
       next();
@@ -73,8 +73,6 @@ class Propagation {
  private:
   static constexpr std::uint64_t poll_interval = 256;
 
-  struct Apex;
-  struct Split;
   /// Windows where they are.
   struct Span {
     WindowArrays windows;
@@ -82,46 +80,40 @@ class Propagation {
   };
 
   void next();
-  void process(Index half_edge);
+  void process(Index half_edge, Index block);
   void gather(Index half_edge, Index first_block);
   void pass(Index half_edge, Span list, Index depth);
+  void filter(Span& list, double length, double at_start, double at_end);
   void lower_watched(Index half_edge, const Span& list);
+
   void lower(Index vertex, const Label& label, const Step& step);
   bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
-
-  static Split split(const Apex& apex, const Span& list);
   void lower_apex(const Apex& apex, const Span& list, const Split& split);
   void lower_apex_by(const Apex& apex, const Span& list, std::size_t window, double x, double distance);
+
   void carry_one_by_one(const Apex& apex, const Span& list, Index depth);
   void carry_left(const Apex& apex, const Span& list, std::size_t end, std::size_t clipped, Index depth);
   void carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped, Index depth);
   Index carry(const Span& list, const Turn& turn);
   void send(Index block, Index edge, Entry entry, Index depth);
-  void filter(Span& list, double length, double at_start, double at_end);
-  void deliver(Index block, Index edge);
-  void wait_at(Index half_edge, Index block, double key);
-  Index copy_of(Index block, bool mirrored, double length);
 
-  void seed_face(const SurfacePoint& at, const Source& source, Index number);
   void emit(Index vertex);
   void emit_into(Index corner);
   void emit_window(Index edge, const Window& window, Entry entry);
-  std::size_t corners_to_half_turn(std::span<const Index> corners, std::size_t at, Angle turned, bool forward,
-                                   bool closed) const;
+  void seed_face(const SurfacePoint& at, const Source& source, Index number);
 
   const FlatSurface& surface_;
   Settings settings_;
-  Lanes lanes_;
+  const Lanes& lanes_;
   Labels labels_;
-  IndexedHeap queue_;           ///< half-edges, then vertices
-  std::vector<Index> waiting_;  ///< first block of each half-edge
-  WindowStore store_;
+  Wavefront wavefront_;
+  WindowStore& store_;
   Trimming trimming_;
   KeptWindows kept_;
   std::vector<Watched> watched_;
   WindowList list_, chosen_;
   std::vector<std::uint32_t> breaks_;
-  std::vector<Index> blocks_;
+  std::vector<Index> blocks_, emitting_;
   bool keep_ = false;
   double limit_ = 0;
   Counts counts_;

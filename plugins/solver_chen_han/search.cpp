@@ -15,14 +15,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 }  // namespace
 
 WindowSearch::WindowSearch(std::shared_ptr<const FlatSurface> surface, const Settings& settings)
-    : surface_(std::move(surface)),
-      propagation_(*surface_, settings),
-      distances_(surface_->vertex_count(), infinity) {
+    : surface_(std::move(surface)), propagation_(*surface_, settings), distances_(surface_->vertex_count(), infinity) {
   count();
 }
 
-const ShortestPathMap& WindowSearch::run(std::span<const Source> sources, const Request& request,
-                                         RunContext& context) {
+const ShortestPathMap& WindowSearch::run(std::span<const Source> sources, const Request& request, RunContext& context) {
   check(sources, request);
   context.throw_if_cancelled();
   sources_.assign(sources.begin(), sources.end());

@@ -140,8 +140,8 @@ class Envelope {
     last_ = name;
   }
 
-  /// The nearer of two windows, everywhere in [low, high]. |a x| - |b x| has one stationary point along a line, where that
-  /// of the images meets it; before and behind it the two change places at most once.
+  /// The nearer of two windows, everywhere in [low, high]. |a x| - |b x| has one stationary point along a line, where
+  /// that of the images meets it; before and behind it the two change places at most once.
   void add_nearer(const Window& a, std::size_t name_a, const Window& b, std::size_t name_b, double low, double high) {
     const double turn = b.x + (a.x - b.x) * (b.y / (b.y - a.y));
     if (low < turn && turn < high) {
@@ -152,8 +152,7 @@ class Envelope {
   }
 
  private:
-  void add_monotone(const Window& a, std::size_t name_a, const Window& b, std::size_t name_b, double low,
-                    double high) {
+  void add_monotone(const Window& a, std::size_t name_a, const Window& b, std::size_t name_b, double low, double high) {
     const double at_low = a.at(low) - b.at(low), at_high = a.at(high) - b.at(high);
     const bool a_first = at_low < 0 || (at_low == 0 && at_high <= 0);
     const bool a_last = at_high < 0 || (at_high == 0 && at_low <= 0);

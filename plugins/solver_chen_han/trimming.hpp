@@ -16,9 +16,10 @@ namespace geodrome::chen_han {
 ///   of R. If at a point x of L's interval L is not farther than R (the image of R taken for its distance, seen from x
 ///   or not), then no line of R to the left of x is needed. Likewise with left and right exchanged.
 ///
-/// Proof: the line of R to y < x and that of L to x cross in the face below, at q. |R q| + |q x| >= |R x| >= |L x| = |L q|
-/// + |q x|, so L comes to q at least as short as R, and R's line to y is not shortest from q on, or tied. (Chen and Han's
-/// "one angle, one split" is the case of x at a vertex.)
+/// Proof: the line of R to y < x and that of L to x cross in the face below, at q. |R q| + |q x| >= |R x| >= |L x| = |L
+/// q|
+/// + |q x|, so L comes to q at least as short as R, and R's line to y is not shortest from q on, or tied. (Chen and
+/// Han's "one angle, one split" is the case of x at a vertex.)
 ///
 /// "Ordered" below means in the order in which lines enter; intervals then follow each other where nothing overlaps.
 class Trimming {
@@ -26,16 +27,16 @@ class Trimming {
   explicit Trimming(const Lanes& lanes) : lanes_(&lanes) {}
 
   /// Trims `count` >= 1 ordered windows that may overlap until they are disjoint and ascending, and drops what is left
-  /// empty; returns how many remain. `breaks` gets the positions before which a pair could not be put in order: the list
-  /// is ordered between them only. The arrays are padded.
+  /// empty; returns how many remain. `breaks` gets the positions before which a pair could not be put in order: the
+  /// list is ordered between them only. The arrays are padded.
   std::size_t trim(const WindowArrays& windows, std::size_t count, std::vector<std::uint32_t>& breaks);
 
-  /// Appends the ordered, disjoint windows of `right`, which enter to the right of all those of `list`, and trims at the
-  /// seam. False, and nothing of `right` taken, if they cannot be put in order; what `list` lost is not needed.
+  /// Appends the ordered, disjoint windows of `right`, which enter to the right of all those of `list`, and trims at
+  /// the seam. False, and nothing of `right` taken, if they cannot be put in order; what `list` lost is not needed.
   bool append(WindowList& list, const WindowArrays& right, std::size_t count);
 
-  /// Merges two lists of disjoint, ascending windows of which nothing is known about how they enter: at every point of the
-  /// half-edge the one that is nearer there stays. A window may come out in pieces. O(n + m).
+  /// Merges two lists of disjoint, ascending windows of which nothing is known about how they enter: at every point of
+  /// the half-edge the one that is nearer there stays. A window may come out in pieces. O(n + m).
   void merge(WindowList& list, const WindowArrays& other, std::size_t count);
 
   std::uint64_t dropped() const { return dropped_; }

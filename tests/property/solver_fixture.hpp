@@ -84,8 +84,8 @@ class EverySolver : public testing::TestWithParam<std::string> {
 /// Solvers whose factor is 1.
 class ExactSolver : public EverySolver {};
 
-inline std::vector<std::string> every_solver() { return {"cgal", "edge_dijkstra"}; }
-inline std::vector<std::string> exact_solvers() { return {"cgal"}; }
+inline std::vector<std::string> every_solver() { return {"cgal", "chen_han", "edge_dijkstra"}; }
+inline std::vector<std::string> exact_solvers() { return {"cgal", "chen_han"}; }
 inline std::string solver_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 /// Rounding of a few hundred operations a distance, relative to the largest distance.

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "plugins/common/points/spatial_order.hpp"
 #include "geodrome/vertex_components.hpp"
+#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 namespace {
@@ -199,9 +199,9 @@ void FlatSurface::judge_vertices() {
 
 std::size_t FlatSurface::bytes() const {
   return faces_.size() * sizeof(Face) + fans_.size() * sizeof(fans_[0]) + kind_.size() +
-         sizeof(Index) * (fan_half_edges_.size() + first_corner_.size() + corners_.size() + vertex_of_original_.size() +
-                          original_vertex_.size() + face_of_original_.size() + original_face_.size() +
-                          components_.size());
+         sizeof(Index) *
+             (fan_half_edges_.size() + first_corner_.size() + corners_.size() + vertex_of_original_.size() +
+              original_vertex_.size() + face_of_original_.size() + original_face_.size() + components_.size());
 }
 
 }  // namespace geodrome

@@ -39,8 +39,8 @@ class FlatSurface {
   Index from(Index h) const { return faces_[h / 3].vertex[h % 3]; }
   double length(Index h) const { return faces_[h / 3].length[h % 3]; }
 
-  /// Calls `visit(other, mirrored)` for every other half-edge on the edge of `h`: none on the boundary, one inside, more
-  /// where more than two faces meet. Mirrored: both run the same way.
+  /// Calls `visit(other, mirrored)` for every other half-edge on the edge of `h`: none on the boundary, one inside,
+  /// more where more than two faces meet. Mirrored: both run the same way.
   template <class Visit>
   void for_each_across(Index h, Visit&& visit) const {
     const Index code = faces_[h / 3].across[h % 3];
@@ -90,10 +90,10 @@ class FlatSurface {
 
   /// What shortest paths do at a vertex.
   enum class VertexKind : std::uint8_t {
-    smooth,      ///< never bend there: total angle <= 2 pi, or on the boundary and <= pi
-    saddle,      ///< may bend there; its corners go once around it
-    open_saddle, ///< the same on the boundary; its corners go from one boundary edge to the other
-    irregular    ///< several fans, more than two faces on an edge, unoriented, or an edge too short to tell
+    smooth,       ///< never bend there: total angle <= 2 pi, or on the boundary and <= pi
+    saddle,       ///< may bend there; its corners go once around it
+    open_saddle,  ///< the same on the boundary; its corners go from one boundary edge to the other
+    irregular     ///< several fans, more than two faces on an edge, unoriented, or an edge too short to tell
   };
   VertexKind kind(Index vertex) const { return kind_[vertex]; }
 

@@ -51,9 +51,7 @@ class IndexedHeap {
   struct Entry {
     double key;
     Index element;
-    bool before(const Entry& other) const {
-      return key < other.key || (key == other.key && element < other.element);
-    }
+    bool before(const Entry& other) const { return key < other.key || (key == other.key && element < other.element); }
   };
 
   void put(Index at, const Entry& entry) { entries_[at] = entry, place_[entry.element] = at; }

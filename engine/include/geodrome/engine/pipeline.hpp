@@ -18,7 +18,7 @@ namespace geodrome {
 /// Which plugin does each stage, as PluginHost::load takes it: "name[:key=value,...]".
 struct StageChoice {
   std::string tangent = "jet", control = "lipschitz", decimator = "greedy", reconstructor = "delaunay_cut",
-              solver = "cgal";
+              solver = "chen_han";
 };
 
 /// What every job shares. `threads` 0 means one per core. No result depends on it.

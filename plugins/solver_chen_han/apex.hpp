@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <tuple>
+
+#include "common/solvers/flat_surface.hpp"
+#include "solver_chen_han/labels.hpp"
+#include "solver_chen_han/lanes.hpp"
+#include "solver_chen_han/windows.hpp"
+
+namespace geodrome::chen_han {
+
+/// A face seen from one of its half-edges: start A, end B, the third corner C, its apex, at (x, y). Windows enter
+/// through the half-edge and leave through the edge from C to A on their left or that from B to C on their right.
+struct Apex {
+  Index half_edge;
+  const FlatSurface::Face& face;
+  int a, b, c;  ///< corners of the face
+  double length, x, y;
+
+  Apex(const FlatSurface& surface, Index h)
+      : half_edge(h), face(surface.face_of(h)), a(h % 3), b((a + 1) % 3), c((a + 2) % 3), length(face.length[a]) {
+    std::tie(x, y) = FlatSurface::apex(face, a);
+  }
+  Index start() const { return face.vertex[a]; }
+  Index end() const { return face.vertex[b]; }
+  Index vertex() const { return face.vertex[c]; }
+  Index left() const { return SurfaceMesh::previous(half_edge); }
+  Index right() const { return SurfaceMesh::next(half_edge); }
+  double left_length() const { return face.length[c]; }
+  double right_length() const { return face.length[b]; }
+  bool left_is_boundary() const { return face.across[c] == no_index; }
+  bool right_is_boundary() const { return face.across[b] == no_index; }
+  Angle angle(int corner) const { return {face.cosine[corner], face.sine[corner]}; }
+
+  /// How windows pass to the frame of the half-edge beyond the left or right edge.
+  Turn turn_left() const { return {0, face.cosine[a], face.sine[a], 0, left_length(), left_length()}; }
+  Turn turn_right() const { return {length, face.cosine[b], -face.sine[b], right_length(), right_length(), 0}; }
+
+  /// Whether window i has lines to the left or right of the apex.
+  bool has_left(const WindowArrays& w, std::size_t i) const { return side_of_line(w.x[i], w.y[i], w.low[i], x, y) < 0; }
+  bool has_right(const WindowArrays& w, std::size_t i) const {
+    return side_of_line(w.x[i], w.y[i], w.high[i], x, y) > 0;
+  }
+};
+
+/// How an ordered list meets the apex: windows [0, left_end) have lines to its left, [right_begin, end) to its right;
+/// what is in both has lines to it, and `best` of those, which is nearest to it, keeps both sides: one angle, one
+/// split.
+struct Split {
+  std::size_t right_begin, left_end, best;
+
+  bool covered() const { return right_begin < left_end; }
+  /// The windows [0, last_left) go on to the left, [first_right, end) to the right.
+  std::size_t last_left() const { return covered() ? best + 1 : left_end; }
+  std::size_t first_right() const { return covered() ? best : right_begin; }
+};
+
+/// The split of an ordered list, by binary search. It is true unless lines of the list cross beyond the half-edge:
+/// `Lanes::parted` tells.
+inline Split split_at(const Apex& apex, const WindowArrays& w, std::size_t count) {
+  const auto first = [count](auto&& holds) {
+    std::size_t low = 0, high = count;
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      holds(middle) ? high = middle : low = middle + 1;
+    }
+    return low;
+  };
+  Split split{};
+  split.right_begin = first([&](std::size_t i) { return apex.has_right(w, i); });
+  split.left_end = first([&](std::size_t i) { return !apex.has_left(w, i); });
+  split.best = split.right_begin;
+  for (std::size_t i = split.right_begin + 1; i < split.left_end; ++i)
+    if (w.to(i, apex.x, apex.y) < w.to(split.best, apex.x, apex.y)) split.best = i;
+  return split;
+}
+
+}  // namespace geodrome::chen_han

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "solver_chen_han/wavefront.hpp"
+
+#include <utility>
+
+namespace geodrome::chen_han {
+namespace {
+
+/// A half-edge leaves the queue at the least distance of its windows plus this share of its length: late enough that
+/// windows of all sides have come, early enough that what depends on it need not be done again. 0.1 and 0.4 do as well.
+constexpr double patience = 0.25;
+
+/// More than the rounding of any distance, relative.
+constexpr double rounding = 1e-13;
+
+/// No point of ordered windows is nearer than this: the distance to them changes by at most the way along them.
+double least_distance(const WindowArrays& w, std::size_t count) {
+  const double width = w.high[count - 1] - w.low[0];
+  return 0.5 * (w.at(0, w.low[0]) + w.at(count - 1, w.high[count - 1]) - width);
+}
+
+}  // namespace
+
+void Wavefront::clear() {
+  while (!queue_.empty()) {
+    const Next next = pop();
+    for (Index block = next.block; block != no_index;) {
+      const Index following = store_[block].next;
+      store_.release(block);
+      block = following;
+    }
+  }
+}
+
+Wavefront::Next Wavefront::pop() {
+  const Index element = queue_.pop();
+  const auto half_edges = static_cast<Index>(waiting_.size());
+  if (element >= half_edges) return {no_index, no_index, element - half_edges};
+  const Index block = waiting_[element];
+  waiting_[element] = no_index;
+  return {element, block, no_index};
+}
+
+std::size_t Wavefront::push_block(Index block, Index edge, double limit) {
+  const std::size_t count = store_[block].count;
+  std::size_t pushed = 0;
+  if (count > 0) {
+    const double near = least_distance(store_[block].windows(), count), length = surface_.length(edge);
+    bool is_mirrored = false;
+    const auto wait_at = [&](Index half_edge, bool mirrored) {
+      Index own = block;
+      if (pushed > 0 || mirrored) own = copy_of(block, mirrored != is_mirrored, length);
+      if (pushed == 0 && mirrored) store_.release(std::exchange(block, own)), is_mirrored = true;
+      pushed += count;
+      store_[own].next = waiting_[half_edge];
+      waiting_[half_edge] = own;
+      queue_.push(half_edge, near + patience * length);
+    };
+    if (near * (1 - rounding) <= limit) surface_.for_each_across(edge, wait_at);
+  }
+  if (pushed == 0) store_.release(block);
+  return pushed;
+}
+
+/// Seen from a half-edge that runs the same way as the edge, everything is mirrored.
+Index Wavefront::copy_of(Index block, bool mirrored, double length) {
+  const std::uint32_t count = store_[block].count;
+  const Index copy = store_.add(count);
+  const WindowArrays from = store_[block].windows(), to = store_[copy].windows();
+  store_[copy].depth = store_[block].depth;
+  Entry& entry = store_[copy].entry = store_[block].entry;
+  if (!mirrored) {
+    copy_windows(from, count, to);
+  } else {
+    if (entry == Entry::left || entry == Entry::right) entry = entry == Entry::left ? Entry::right : Entry::left;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Window w = from.get(i);
+      to.set(count - 1 - i, {length - w.x, w.y, w.sigma, length - w.high, length - w.low, w.origin, w.parent});
+    }
+  }
+  to.pad(count);
+  return copy;
+}
+
+}  // namespace geodrome::chen_han

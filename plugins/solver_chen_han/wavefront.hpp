@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/solvers/flat_surface.hpp"
+#include "common/solvers/indexed_heap.hpp"
+#include "solver_chen_han/window_store.hpp"
+
+namespace geodrome::chen_han {
+
+/// What waits: blocks of windows at half-edges and vertices that are to emit, in a queue, nearest first.
+class Wavefront {
+ public:
+  explicit Wavefront(const FlatSurface& surface)
+      : surface_(surface),
+        waiting_(3 * surface.face_count(), no_index),
+        queue_(3 * surface.face_count() + surface.vertex_count()) {}
+
+  /// Drops all that waits.
+  void clear();
+  bool empty() const { return queue_.empty(); }
+
+  /// What left the queue: a half-edge with the first of its blocks, which are the caller's now, or a vertex.
+  struct Next {
+    Index half_edge = no_index, block = no_index, vertex = no_index;
+  };
+  Next pop();
+
+  void push_vertex(Index vertex, double distance) {
+    queue_.push(static_cast<Index>(waiting_.size()) + vertex, distance);
+  }
+
+  /// Lets a block, which becomes the wavefront's, wait at every other half-edge on an edge. It is in the frame of one
+  /// that runs against `edge`. What is farther than `limit` everywhere is dropped. Returns the number of windows that
+  /// wait.
+  std::size_t push_block(Index block, Index edge, double limit);
+
+  WindowStore& store() { return store_; }
+  std::size_t bytes() const { return store_.bytes() + queue_.bytes() + waiting_.capacity() * sizeof(Index); }
+
+ private:
+  Index copy_of(Index block, bool mirrored, double length);
+
+  const FlatSurface& surface_;
+  std::vector<Index> waiting_;  ///< first block of each half-edge
+  IndexedHeap queue_;           ///< half-edges, then vertices
+  WindowStore store_;
+};
+
+}  // namespace geodrome::chen_han
