@@ -25,11 +25,16 @@ std::size_t corners_before_half_turn(const FlatSurface& surface, std::span<const
   static const Angle widening{std::cos(margin), std::sin(margin)};
   const bool forward = way == Way::counterclockwise;
   const std::size_t count = corners.size(), others = closed ? count - 1 : forward ? count - 1 - at : at;
+  // `turned` is below a half turn before a corner is added, and a corner has at most that.
+  const auto reached = [&] {
+    const Angle widened = turned + widening;
+    return widened.sine < 0 || (widened.sine == 0 && widened.cosine < 0);
+  };
+  if (reached()) return 0;
   for (std::size_t passed = 0; passed < others; ++passed) {
     const std::size_t next = forward ? (at + 1 + passed) % count : (at + count - 1 - passed) % count;
     turned = turned + angle_at(surface, corners[next]);
-    const Angle widened = turned + widening;
-    if (widened.sine < 0 || (widened.sine == 0 && widened.cosine < 0)) return passed;
+    if (reached()) return passed;
   }
   return others;
 }

@@ -33,10 +33,11 @@ struct Lanes {
 };
 
 /// Above 0 where the line from image (ix, iy) through (px, 0) leaves the point (x, y) on its left, below where on its
-/// right.
+/// right. An image on the line y = 0 counts as just below it, so that a point on that line has a side too.
 template <class Number>
 Number side_of_line(const Number& ix, const Number& iy, const Number& px, double x, double y) {
-  return (px - ix) * (y - iy) + iy * (x - ix);
+  const Number below = iy - 1e-300;
+  return (px - ix) * (y - below) + below * (x - ix);
 }
 
 enum class Simd { baseline, avx2 };

@@ -13,6 +13,15 @@ namespace {
 /// equal ways none is dropped for the other.
 constexpr double rounding = 1e-13;
 
+/// An image nearer to a half-edge than this share of its length, between the ends of its window: all its lines cross at
+/// nearly one place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its lines
+/// are not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
+constexpr double close_share = 1e-8;
+
+bool is_close(const WindowArrays& w, double length) {
+  return -w.y[0] <= close_share * length && w.low[0] < w.x[0] && w.x[0] < w.high[0];
+}
+
 }  // namespace
 
 Propagation::Propagation(const FlatSurface& surface, const Settings& settings)
@@ -136,15 +145,11 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
   const auto bent = [&](std::size_t i, double x) {
     lower_apex_by(apex, list, i, x, w.at(i, x) + std::sqrt((apex.x - x) * (apex.x - x) + apex.y * apex.y));
   };
-  if (split.covered()) {
-    lower_apex_by(apex, list, split.best, w.x[split.best], w.to(split.best, apex.x, apex.y));
-    const std::size_t first = split.right_begin, end = split.left_end;
-    if (first > 0 && w.high[first - 1] < w.low[first]) bent(first - 1, w.high[first - 1]);
-    if (end < list.count && w.high[end - 1] < w.low[end]) bent(end, w.low[end]);
-  } else {
-    if (split.left_end > 0) bent(split.left_end - 1, w.high[split.left_end - 1]);
-    if (split.right_begin < list.count) bent(split.right_begin, w.low[split.right_begin]);
-  }
+  if (split.covered()) lower_apex_by(apex, list, split.best, w.x[split.best], w.to(split.best, apex.x, apex.y));
+  const std::size_t before = split.covered() ? split.right_begin : split.left_end;
+  const std::size_t after = split.covered() ? split.left_end : split.right_begin;
+  if (before > 0) bent(before - 1, w.high[before - 1]);
+  if (after < list.count) bent(after, w.low[after]);
   const double by_start = labels_.distance(apex.start()) + apex.left_length();
   const double by_end = labels_.distance(apex.end()) + apex.right_length();
   if (label_is_lower(apex.vertex(), by_start))
@@ -228,17 +233,35 @@ void Propagation::send(Index block, Index edge, Entry entry, Index depth) {
   const WindowArrays windows = b.windows();
   windows.pad(b.count);
   b.count = static_cast<std::uint32_t>(trimming_.trim(windows, b.count, breaks_));
-  while (!breaks_.empty()) {  // what is behind a break waits as a block of its own
-    const std::uint32_t first = breaks_.back();
-    breaks_.pop_back();
+  if (!breaks_.empty()) split_off(block, edge);
+  hand_on(block, edge);
+}
+
+/// What is behind a break of a block waits as a block of its own.
+void Propagation::split_off(Index block, Index edge) {
+  for (const std::uint32_t first : [&] { return std::vector(breaks_.rbegin(), breaks_.rend()); }()) {
     const Index rest = store_.add(store_[block].count - first);
-    copy_windows(windows.without(first), store_[rest].count, store_[rest].windows());
+    copy_windows(store_[block].windows().without(first), store_[rest].count, store_[rest].windows());
     store_[rest].windows().pad(store_[rest].count);
-    store_[rest].entry = entry, store_[rest].depth = depth;
+    store_[rest].entry = store_[block].entry, store_[rest].depth = store_[block].depth;
     store_[block].count = first;
-    counts_.created += wavefront_.push_block(rest, edge, limit_);
+    hand_on(rest, edge);
   }
-  counts_.created += wavefront_.push_block(block, edge, limit_);
+}
+
+/// Lets a block wait at the other half-edges of an edge.
+void Propagation::hand_on(Index block, Index edge) {
+  if (store_[block].count != 1 || !is_close(store_[block].windows(), surface_.length(edge))) {
+    counts_.created += wavefront_.push_block(block, edge, limit_);
+    return;
+  }
+  surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
+    const Index own = wavefront_.copy_of(block, mirrored, surface_.length(edge));
+    ++counts_.created;
+    pass(half_edge, {store_[own].windows(), 1}, store_[own].depth);
+    store_.release(own);
+  });
+  store_.release(block);
 }
 
 /// Xin and Wang's filter, and the trimming that follows from it: |image x| - x falls along the half-edge, so where the
@@ -285,7 +308,7 @@ void Propagation::emit_window(Index edge, const Window& window, Entry entry) {
   b.entry = entry, b.depth = 1;
   b.windows().set(0, window);
   b.windows().pad(1);
-  counts_.created += wavefront_.push_block(block, edge, limit_);
+  hand_on(block, edge);
 }
 
 void Propagation::seed(const Source& source, Index number) {

@@ -96,6 +96,8 @@ class Propagation {
   void carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped, Index depth);
   Index carry(const Span& list, const Turn& turn);
   void send(Index block, Index edge, Entry entry, Index depth);
+  void split_off(Index block, Index edge);
+  void hand_on(Index block, Index edge);
 
   void emit(Index vertex);
   void emit_into(Index corner);

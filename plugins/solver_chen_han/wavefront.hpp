@@ -37,12 +37,13 @@ class Wavefront {
   /// wait.
   std::size_t push_block(Index block, Index edge, double limit);
 
+  /// A copy of a block, mirrored if the half-edge that it is for runs the same way as its edge, `length` long.
+  Index copy_of(Index block, bool mirrored, double length);
+
   WindowStore& store() { return store_; }
   std::size_t bytes() const { return store_.bytes() + queue_.bytes() + waiting_.capacity() * sizeof(Index); }
 
  private:
-  Index copy_of(Index block, bool mirrored, double length);
-
   const FlatSurface& surface_;
   std::vector<Index> waiting_;  ///< first block of each half-edge
   IndexedHeap queue_;           ///< half-edges, then vertices

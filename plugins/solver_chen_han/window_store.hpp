@@ -16,7 +16,7 @@ enum class Entry : std::uint8_t {
   left,   ///< through the edge at the start of the half-edge
   apex,   ///< from the vertex opposite: a pseudo-source
   right,  ///< through the edge at the end of the half-edge
-  loose   ///< from a source in the face: in no order with others
+  loose   ///< in no order with others: from a source in the face, or across an edge of more than two faces
 };
 
 /// Windows that wait at a half-edge, ordered along it and disjoint.

@@ -54,6 +54,12 @@ class FlatSurface {
     visit(code & ~mirror_bit, (code & mirror_bit) != 0);
   }
 
+  /// Whether more than two faces meet at the edge of `h`.
+  bool is_fan(Index h) const {
+    const Index code = faces_[h / 3].across[h % 3];
+    return code != no_index && (code & fan_bit) && fans_[code & ~fan_bit].second - fans_[code & ~fan_bit].first > 2;
+  }
+
   /// The place of a point in the frame of half-edge `h` of its face; `b` counts from corner 0 of the face.
   std::pair<double, double> in_frame(Index h, const std::array<double, 3>& b) const {
     const Face& face = face_of(h);
