@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "common/solvers/flat_surface.hpp"
+#include "solver_chen_han/bisector.hpp"
 #include "solver_chen_han/labels.hpp"
 #include "solver_chen_han/lanes.hpp"
 #include "solver_chen_han/windows.hpp"
@@ -46,15 +47,15 @@ struct Apex {
 };
 
 /// How an ordered list meets the apex: windows [0, left_end) have lines to its left, [right_begin, end) to its right;
-/// what is in both has lines to it, and `best` of those, which is nearest to it, keeps both sides: one angle, one
-/// split.
+/// what is in both has lines to it. `best` of those is nearest to it; from [first_best, last_best), which are as near up to
+/// rounding, lines go on to both sides, from the others only to their own: one angle, one split.
 struct Split {
-  std::size_t right_begin, left_end, best;
+  std::size_t right_begin, left_end, best, first_best, last_best;
 
   bool covered() const { return right_begin < left_end; }
   /// The windows [0, last_left) go on to the left, [first_right, end) to the right.
-  std::size_t last_left() const { return covered() ? best + 1 : left_end; }
-  std::size_t first_right() const { return covered() ? best : right_begin; }
+  std::size_t last_left() const { return covered() ? last_best : left_end; }
+  std::size_t first_right() const { return covered() ? first_best : right_begin; }
 };
 
 /// The split of an ordered list, by binary search. It is true unless lines of the list cross beyond the half-edge:
@@ -72,8 +73,15 @@ inline Split split_at(const Apex& apex, const WindowArrays& w, std::size_t count
   split.right_begin = first([&](std::size_t i) { return apex.has_right(w, i); });
   split.left_end = first([&](std::size_t i) { return !apex.has_left(w, i); });
   split.best = split.right_begin;
+  const auto distance = [&](std::size_t i) { return w.to(i, apex.x, apex.y); };
   for (std::size_t i = split.right_begin + 1; i < split.left_end; ++i)
-    if (w.to(i, apex.x, apex.y) < w.to(split.best, apex.x, apex.y)) split.best = i;
+    if (distance(i) < distance(split.best)) split.best = i;
+  split.first_best = split.best, split.last_best = split.best + 1;
+  if (split.left_end - split.right_begin > 1 && split.covered()) {
+    const double most = distance(split.best) * (1 + equal_share);
+    while (split.first_best > split.right_begin && distance(split.first_best - 1) <= most) --split.first_best;
+    while (split.last_best < split.left_end && distance(split.last_best) <= most) ++split.last_best;
+  }
   return split;
 }
 

@@ -100,8 +100,8 @@ bool cut(const WindowArrays& w, std::size_t count, double* cuts) {
       share(equal_share);
   typename Double::Mask failed{};
   for (std::size_t i = 0; i + 1 < count; i += N) {
-    const Double low_2(w.low + i + 1), high_1(w.high + i), low = most(Double(w.low + i), low_2);
-    const Double high = least(high_1, Double(w.high + i + 1));
+    const Double low_1(w.low + i), low_2(w.low + i + 1), high_1(w.high + i), high_2(w.high + i + 1);
+    const Double low = most(low_1, low_2), high = least(high_1, high_2);
     const Double x1(w.x + i), x2(w.x + i + 1), h1 = -Double(w.y + i), h2 = -Double(w.y + i + 1);
     const Double s1(w.sigma + i), s2(w.sigma + i + 1);
     const Double x = most(least(bisector_place(x1, h1, s1, x2, h2, s2), high), low);
@@ -109,7 +109,8 @@ bool cut(const WindowArrays& w, std::size_t count, double* cuts) {
     const Double gap = d1 - d2, noise = share * d1;
     const auto equal = (gap <= noise) & (gap >= -noise);
     const auto first_wins = (x == high_1) & (gap < zero), second_wins = (x == low_2) & (gap > zero);
-    const auto sound = (equal | first_wins | second_wins) & (low < high), apart = high_1 <= low_2;
+    const auto in_turn = (low < high) & (low_1 <= low_2) & (high_1 <= high_2), apart = high_1 <= low_2;
+    const auto sound = (equal | first_wins | second_wins) & in_turn;
     select(apart, none, select(sound, x, unknown)).store(cuts + i);
     failed |= ~(apart | sound) & (Double::count_from(static_cast<double>(i + 1)) < Double(static_cast<double>(count)));
   }

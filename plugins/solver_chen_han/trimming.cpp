@@ -16,25 +16,32 @@ constexpr double none = std::numeric_limits<double>::infinity();
 /// What becomes of an ordered pair.
 enum class Pair { in_order, cut, drop_left, drop_right, tangled };
 
-/// Brings an ordered pair of windows into order by the lemma, with nothing else known.
+/// Shorter by more than rounding.
+bool nearer(double a, double b) { return a < b - equal_share * b; }
+
+/// Brings an ordered pair of windows into order by the lemma, with nothing else known. Where the two are equally far up to
+/// rounding, as along the line from one through the other, no window is cut for the sake of one inside it: what rounding
+/// would then take from it nothing else would cover.
 Pair settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std::size_t right) {
   if (w.empty(left)) return Pair::drop_left;
   if (v.empty(right)) return Pair::drop_right;
   if (w.high[left] <= v.low[right]) return Pair::in_order;
   const double low = std::max(w.low[left], v.low[right]), high = std::min(w.high[left], v.high[right]);
-  if (low < high) {
-    if (w.at(left, high) <= v.at(right, high)) {
-      v.low[right] = high;
-    } else if (v.at(right, low) <= w.at(left, low)) {
-      w.high[left] = low;
-    } else {
-      w.high[left] = v.low[right] = equal_place(w.get(left), v.get(right), low, high);
-    }
-    return Pair::cut;
+  if (!(low < high)) {
+    if (nearer(w.at(left, w.low[left]), v.at(right, w.low[left]))) return Pair::drop_right;
+    if (nearer(v.at(right, v.high[right]), w.at(left, v.high[right]))) return Pair::drop_left;
+    return Pair::tangled;
   }
-  if (w.at(left, w.low[left]) <= v.at(right, w.low[left])) return Pair::drop_right;
-  if (v.at(right, v.high[right]) <= w.at(left, v.high[right])) return Pair::drop_left;
-  return Pair::tangled;
+  const bool left_keeps_all = !nearer(v.at(right, high), w.at(left, high));
+  const bool right_keeps_all = !nearer(w.at(left, low), v.at(right, low));
+  const bool left_is_inside = v.low[right] < low;
+  if (left_keeps_all && !(right_keeps_all && left_is_inside))
+    v.low[right] = high;
+  else if (right_keeps_all)
+    w.high[left] = low;
+  else
+    w.high[left] = v.low[right] = equal_place(w.get(left), v.get(right), low, high);
+  return Pair::cut;
 }
 
 }  // namespace
@@ -204,7 +211,7 @@ bool Trimming::append(WindowList& list, const WindowArrays& right, std::size_t c
   const auto beaten = [&](std::size_t of, double place, std::size_t first, std::size_t last) {
     const auto over = std::upper_bound(w.low + first, w.low + last, place) - w.low;
     const auto at = static_cast<std::size_t>(over);
-    return at > first && w.high[at - 1] >= place && w.at(at - 1, place) <= w.at(of, place);
+    return at > first && w.high[at - 1] >= place && nearer(w.at(at - 1, place), w.at(of, place));
   };
   while (left > 0 && next < end) {
     switch (settle(w, left - 1, w, next)) {
