@@ -47,8 +47,8 @@ struct Apex {
 };
 
 /// How an ordered list meets the apex: windows [0, left_end) have lines to its left, [right_begin, end) to its right;
-/// what is in both has lines to it. `best` of those is nearest to it; from [first_best, last_best), which are as near up to
-/// rounding, lines go on to both sides, from the others only to their own: one angle, one split.
+/// what is in both has lines to it. `best` of those is nearest to it; from [first_best, last_best), which are as near
+/// up to rounding, lines go on to both sides, from the others only to their own: one angle, one split.
 struct Split {
   std::size_t right_begin, left_end, best, first_best, last_best;
 

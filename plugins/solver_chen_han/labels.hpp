@@ -28,6 +28,7 @@ struct Label {
   Angle side;
   Index corner = no_index;
   Index source = no_index;  ///< of the request
+  bool all_sides = false;   ///< it comes from so near that it goes on to all sides
 };
 
 /// How a path goes on from a vertex: through a kept window, along an edge to another vertex, or (neither) straight to

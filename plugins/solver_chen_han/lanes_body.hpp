@@ -75,8 +75,8 @@ void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const Wi
   for (std::size_t i = 0; i < count; i += N) {
     const Double px = Double(in.x + i) - pivot, py(in.y + i);
     const Double x = cosine * px + sine * py + shift, computed_y = cosine * py - sine * px;
-    // On the line of the new edge, but for rounding, an image is put on it; beyond it, it sees the edge from behind, which
-    // a window as short as its own rounding can seem to do: its ends change places, so that it is empty.
+    // On the line of the new edge, but for rounding, an image is put on it; beyond it, it sees the edge from behind,
+    // which a window as short as its own rounding can seem to do: its ends change places, so that it is empty.
     const auto behind = computed_y > rounding_of_images * (most(px, -px) + most(py, -py));
     const Double y = least(computed_y, zero);
     x.store(out.x + i);

@@ -14,8 +14,8 @@ namespace {
 constexpr double rounding = 1e-13;
 
 /// An image nearer to a half-edge than this share of its length, between the ends of its window: all its lines cross at
-/// nearly one place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its lines
-/// are not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
+/// nearly one place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its
+/// lines are not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
 constexpr double close_share = 1e-8;
 
 bool is_close(const WindowArrays& w, double length) {
@@ -117,13 +117,16 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
 /// Windows whose lines cross beyond the half-edge, so that they do not lie to the left and right of the apex in order.
 void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index depth) {
   const WindowArrays& w = list.windows;
+  const auto both = [&](std::size_t i) { return apex.has_left(w, i) && apex.has_right(w, i); };
   std::size_t best = list.count;
   for (std::size_t i = 0; i < list.count; ++i) {
-    const bool left = apex.has_left(w, i), right = apex.has_right(w, i), both = left && right;
-    const double x = both ? w.x[i] : left ? w.high[i] : w.low[i];
+    const double x = both(i) ? w.x[i] : apex.has_left(w, i) ? w.high[i] : w.low[i];
     lower_apex_by(apex, list, i, x, way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex())));
-    if (both && (best == list.count || w.to(i, apex.x, apex.y) < w.to(best, apex.x, apex.y))) best = i;
+    if (both(i) && (best == list.count || w.to(i, apex.x, apex.y) < w.to(best, apex.x, apex.y))) best = i;
   }
+  const auto keeps_both = [&](std::size_t i) {
+    return w.to(i, apex.x, apex.y) <= w.to(best, apex.x, apex.y) * (1 + equal_share);
+  };
   const auto choose = [&](auto&& goes) {
     chosen_.clear();
     for (std::size_t i = 0; i < list.count; ++i)
@@ -131,9 +134,11 @@ void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index dep
     if (!chosen_.empty()) chosen_.arrays().pad(chosen_.size());
     return Span{chosen_.arrays(), chosen_.size()};
   };
-  const Span left = choose([&](std::size_t i) { return apex.has_left(w, i) && !(apex.has_right(w, i) && i > best); });
+  const Span left =
+      choose([&](std::size_t i) { return apex.has_left(w, i) && (!both(i) || i <= best || keeps_both(i)); });
   carry_left(apex, left, left.count, left.count, depth);
-  const Span right = choose([&](std::size_t i) { return apex.has_right(w, i) && !(apex.has_left(w, i) && i < best); });
+  const Span right =
+      choose([&](std::size_t i) { return apex.has_right(w, i) && (!both(i) || i >= best || keeps_both(i)); });
   carry_right(apex, right, 0, 0, depth);
 }
 
@@ -169,12 +174,13 @@ void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t 
     const double size = std::sqrt(along * along + across * across);
     if (size > 0) side = {along / size, across / size};
   }
-  lower(apex.vertex(), {distance, side, apex.left(), source_of(w.origin[i])}, {w.parent[i], no_index});
+  const bool all_sides = distance - w.sigma[i] <= close_share * apex.length;  // two vertices in one place
+  lower(apex.vertex(), {distance, side, apex.left(), source_of(w.origin[i]), all_sides}, {w.parent[i], no_index});
 }
 
 void Propagation::lower(Index vertex, const Label& label, const Step& step) {
   labels_.set(vertex, label, step);
-  if (label.corner == no_index || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
+  if (label.corner == no_index || label.all_sides || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
     wavefront_.push_vertex(vertex, label.distance);
 }
 

@@ -19,7 +19,7 @@ namespace geodrome::chen_han {
 
 struct Counts {
   std::uint64_t passes = 0;      ///< half-edges whose waiting windows were carried on, each time
-  std::uint64_t created = 0;     ///< windows that came to wait at a half-edge
+  std::uint64_t created = 0;     ///< windows that came to wait at a half-edge; merging may cut one into pieces later
   std::uint64_t propagated = 0;  ///< windows carried on
   std::uint64_t filtered = 0;    ///< windows dropped because a vertex is a shorter way
   std::uint64_t trimmed = 0;     ///< windows dropped because other windows are shorter everywhere

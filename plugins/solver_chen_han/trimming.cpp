@@ -19,9 +19,9 @@ enum class Pair { in_order, cut, drop_left, drop_right, tangled };
 /// Shorter by more than rounding.
 bool nearer(double a, double b) { return a < b - equal_share * b; }
 
-/// Brings an ordered pair of windows into order by the lemma, with nothing else known. Where the two are equally far up to
-/// rounding, as along the line from one through the other, no window is cut for the sake of one inside it: what rounding
-/// would then take from it nothing else would cover.
+/// Brings an ordered pair of windows into order by the lemma, with nothing else known. Where the two are equally far up
+/// to rounding, as along the line from one through the other, no window is cut for the sake of one inside it: what
+/// rounding would then take from it nothing else would cover.
 Pair settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std::size_t right) {
   if (w.empty(left)) return Pair::drop_left;
   if (v.empty(right)) return Pair::drop_right;
@@ -197,7 +197,7 @@ void Trimming::merge(WindowList& list, const WindowArrays& other, std::size_t co
       envelope.add_nearer(w.get(i), i, other.get(j), size + j, low_i, x);
     }
   }
-  dropped_ += size + count - std::min(size + count, merged_.size());
+  dropped_ += size + count - std::min(size + count, merged_.size());  // pieces hide some
   std::swap(list, merged_);
 }
 

@@ -47,7 +47,8 @@ std::size_t Wavefront::push_block(Index block, Index edge, double limit) {
   if (count > 0) {
     const double near = least_distance(store_[block].windows(), count), length = surface_.length(edge);
     bool is_mirrored = false;
-    if (surface_.is_fan(edge)) store_[block].entry = Entry::loose;  // windows of other faces come to the same half-edges
+    if (surface_.is_fan(edge))
+      store_[block].entry = Entry::loose;  // windows of other faces come to the same half-edges
     const auto wait_at = [&](Index half_edge, bool mirrored) {
       Index own = block;
       if (pushed > 0 || mirrored) own = copy_of(block, mirrored != is_mirrored, length);

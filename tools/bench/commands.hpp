@@ -16,6 +16,11 @@ void add_solvers(CLI::App& app, Action& action);
 void add_samples(CLI::App& app, Action& action);
 void add_accuracy(CLI::App& app, Action& action);
 void add_cost(CLI::App& app, Action& action);
+void add_growth(CLI::App& app, Action& action);
+void add_repeat(CLI::App& app, Action& action);
+void add_memory(CLI::App& app, Action& action);
+void add_exactness(CLI::App& app, Action& action);
+void add_fuzz(CLI::App& app, Action& action);
 
 /// Options that several subcommands share, each declared once.
 void add_stages(CLI::App& command, RunSettings& settings);   ///< plugins of stages 1 to 4, --plugin-path

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "tools/bench/commands.hpp"
 #include "tools/bench/memory_peak.hpp"
+#include "tools/bench/own_process.hpp"
 #include "tools/bench/stage_costs.hpp"
 #include "tools/shapes/shapes.hpp"
 
@@ -42,28 +40,6 @@ void print_costs(std::size_t points, const Arguments& arguments) {
     seconds += cost.seconds, peak = std::max(peak, cost.peak);
   }
   print_line(points, "all", seconds, peak);
-}
-
-/// Runs `work` in a child process, so that peaks of memory do not mix; tells how it ended if not well.
-template <class Work>
-void in_a_process_of_its_own(Work&& work) {
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child < 0) throw RefusedError("no child process can be started");
-  if (child == 0) {
-    int status = 0;
-    try {
-      work();
-    } catch (const std::exception& error) {
-      std::printf("    %s\n", error.what());
-      status = 1;
-    }
-    std::fflush(stdout);
-    _exit(status);
-  }
-  int status = 0;
-  waitpid(child, &status, 0);
-  if (WIFSIGNALED(status)) std::printf("    ended by signal %d\n", WTERMSIG(status));
 }
 
 void run(const Arguments& arguments) {

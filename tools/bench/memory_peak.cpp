@@ -3,18 +3,26 @@
 
 #include <fstream>
 #include <string>
+#include <string_view>
 
 namespace geodrome::bench {
+namespace {
 
-std::size_t memory_peak() {
+std::size_t status_bytes(std::string_view name) {
   constexpr std::size_t kilobyte = 1024;
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {
     std::size_t amount = 0;
-    if (word == "VmHWM:" && status >> amount) return amount * kilobyte;
+    if (word == name && status >> amount) return amount * kilobyte;
   }
   return 0;
 }
+
+}  // namespace
+
+std::size_t memory_peak() { return status_bytes("VmHWM:"); }
+
+std::size_t memory_now() { return status_bytes("VmRSS:"); }
 
 bool reset_memory_peak() {
   std::ofstream references("/proc/self/clear_refs");

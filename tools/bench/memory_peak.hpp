@@ -3,11 +3,14 @@
 
 #include <cstddef>
 
-/// The largest resident memory of this process, as Linux counts it.
+/// Resident memory of this process, now and at most, as Linux counts it: to within some hundred kilobytes.
 namespace geodrome::bench {
 
 /// Bytes; since the process began, or since the last reset. 0 where /proc does not tell.
 std::size_t memory_peak();
+
+/// Bytes; 0 where /proc does not tell.
+std::size_t memory_now();
 
 /// Makes what is resident now the peak. False where the system does not allow it: the peak then only grows.
 bool reset_memory_peak();

@@ -8,6 +8,7 @@
 
 #include "geodrome/engine/plugin_host.hpp"
 #include "geodrome/shortest_path_solver.hpp"
+#include "tools/bench/search_figures.hpp"
 
 namespace geodrome::bench {
 
@@ -22,16 +23,16 @@ struct Lane {
   std::string name;
   std::vector<double> preparation;         ///< one per preparation
   std::vector<std::vector<double>> query;  ///< per source, per valid run
+  std::vector<Figure> windows;             ///< per source
   std::size_t prepared_bytes = 0;
 };
 
 struct RaceResult {
   Lane solver, peer;
+  std::size_t edges = 0;        ///< of the mesh
   std::size_t void_runs = 0;    ///< left out, because the peer took over 1.2 times its own median from that source
   double worst_difference = 0;  ///< max over vertices of |solver - peer| over the largest distance; +inf: one has none
 };
-
-double median(std::vector<double> values);
 
 /// Races two solvers on a mesh, in one thread, interleaved: from each source, in each run, one after the other, the
 /// first one changing every run. A query is one search and the copy of all vertex distances; the searches are made once
@@ -40,7 +41,8 @@ double median(std::vector<double> values);
 RaceResult race(const Plugin<ShortestPathSolver>& solver, const Plugin<ShortestPathSolver>& peer, const MeshPtr& mesh,
                 const RaceOptions& options);
 
-/// Prints medians and ratios; a ratio is peer over solver: above 1 the solver is faster.
+/// Prints medians and ratios; a ratio is peer over solver: above 1 the solver is faster. What a solver
+/// does not count is "-".
 void print(std::ostream& out, const RaceResult& result);
 
 }  // namespace geodrome::bench

@@ -18,10 +18,12 @@ constexpr const char* conditions =
     "medians\n"
     "over the runs of a source, then over the sources. A run in which the peer took over 1.2 times its own median is "
     "void.\n"
+    "Windows: the solver's counter windows_propagated of a source; time a window is that of the whole query. -: not "
+    "counted.\n"
     "Wall-clock time: let nothing else run. Build with the release preset.";
 
 struct Arguments {
-  std::string mesh, solver = "edge_dijkstra", peer = "cgal";
+  std::string mesh, solver = "chen_han", peer = "cgal";
   std::vector<std::filesystem::path> plugin_path;
   RaceOptions options;
 };

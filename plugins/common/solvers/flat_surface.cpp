@@ -16,8 +16,9 @@ namespace {
 /// coordinates makes angles err by less wherever faces are not needles.
 constexpr double flat = 1e-12;
 
-/// On an edge shorter than this share of the bounding box rounding moves places by 1e-5 of its length or more, and turns
-/// the direction of a way that bends there as much. Where a path can go on from its ends is then not for angles to say.
+/// On an edge shorter than this share of the bounding box rounding moves places by 1e-5 of its length or more, and
+/// turns the direction of a way that bends there as much. Where a path can go on from its ends is then not for angles
+/// to say.
 constexpr double no_place = 1e-9;
 
 struct Corner {
