@@ -61,6 +61,9 @@ class Labels {
     if (with_steps_) steps_[vertex] = step;
   }
 
+  /// Precondition: the vertex has a label.
+  void widen(Index vertex) { labels_[vertex].all_sides = true; }
+
   std::size_t bytes() const {
     return labels_.size() * sizeof(Label) + steps_.size() * sizeof(Step) + touched_.capacity() * sizeof(Index);
   }

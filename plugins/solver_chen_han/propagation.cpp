@@ -165,17 +165,25 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
 
 /// By window i, coming from its image, or from (x, 0) if the way bends there.
 void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t i, double x, double distance) {
-  if (!label_is_lower(apex.vertex(), distance)) return;
   const WindowArrays& w = list.windows;
+  const Index vertex = apex.vertex();
+  const bool all_sides = distance - w.sigma[i] <= close_share * apex.length;  // two vertices in one place
+  if (!label_is_lower(vertex, distance)) {
+    const double present = labels_.distance(vertex);
+    if (!all_sides || labels_[vertex].all_sides || distance > present * (1 + equal_share)) return;
+    labels_.widen(vertex);
+    return wavefront_.push_vertex(vertex, present);
+  }
   Angle side;
-  if (surface_.kind(apex.vertex()) != FlatSurface::VertexKind::smooth) {
-    const double dx = x - apex.x, dy = (x == w.x[i] ? w.y[i] : 0) - apex.y;
+  if (surface_.kind(vertex) != FlatSurface::VertexKind::smooth) {
+    double dx = w.x[i] - apex.x, dy = w.y[i] - apex.y;
+    const double off = x - apex.x;  // of the bend
+    if (x != w.x[i] && std::hypot(off, apex.y) > close_share * apex.length) dx = off, dy = -apex.y;
     const double along = -apex.x * dx - apex.y * dy, across = std::max(0.0, apex.y * dx - apex.x * dy);
     const double size = std::sqrt(along * along + across * across);
     if (size > 0) side = {along / size, across / size};
   }
-  const bool all_sides = distance - w.sigma[i] <= close_share * apex.length;  // two vertices in one place
-  lower(apex.vertex(), {distance, side, apex.left(), source_of(w.origin[i]), all_sides}, {w.parent[i], no_index});
+  lower(vertex, {distance, side, apex.left(), source_of(w.origin[i]), all_sides}, {w.parent[i], no_index});
 }
 
 void Propagation::lower(Index vertex, const Label& label, const Step& step) {
