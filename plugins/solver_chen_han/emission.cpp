@@ -46,7 +46,7 @@ void corners_that_emit(const FlatSurface& surface, Index vertex, const Label& la
   out.clear();
   const Kind kind = surface.kind(vertex);
   const auto corners = surface.corners(vertex);
-  if (label.corner == no_index || label.all_sides || kind == Kind::irregular) {
+  if (label.corner == no_index || label.all_sides() || kind == Kind::irregular) {
     out.assign(corners.begin(), corners.end());
     return;
   }

@@ -20,6 +20,8 @@ struct Angle {
   }
 };
 
+inline constexpr Angle no_angle{0, 0};
+
 /// The shortest way to a vertex that was found so far.
 struct Label {
   double distance = std::numeric_limits<double>::infinity();
@@ -28,7 +30,9 @@ struct Label {
   Angle side;
   Index corner = no_index;
   Index source = no_index;  ///< of the request
-  bool all_sides = false;   ///< it comes from so near that it goes on to all sides
+
+  /// It comes from so near that it goes on to all sides. Written as an angle that is none.
+  bool all_sides() const { return side.cosine == 0 && side.sine == 0; }
 };
 
 /// How a path goes on from a vertex: through a kept window, along an edge to another vertex, or (neither) straight to
@@ -62,7 +66,7 @@ class Labels {
   }
 
   /// Precondition: the vertex has a label.
-  void widen(Index vertex) { labels_[vertex].all_sides = true; }
+  void widen(Index vertex) { labels_[vertex].side = no_angle; }
 
   std::size_t bytes() const {
     return labels_.size() * sizeof(Label) + steps_.size() * sizeof(Step) + touched_.capacity() * sizeof(Index);

@@ -107,7 +107,7 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
 
   if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
   const Split split = split_at(apex, list.windows, list.count);
-  if (!lanes_.parted(list.windows, list.count, apex.x, apex.y, split.right_begin, split.left_end))
+  if (list.count > 1 && !lanes_.parted(list.windows, list.count, apex.x, apex.y, split.right_begin, split.left_end))
     return carry_one_by_one(apex, list, depth + 1);
   lower_apex(apex, list, split);
   carry_left(apex, list, split.last_left(), split.right_begin, depth + 1);
@@ -170,12 +170,12 @@ void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t 
   const bool all_sides = distance - w.sigma[i] <= close_share * apex.length;  // two vertices in one place
   if (!label_is_lower(vertex, distance)) {
     const double present = labels_.distance(vertex);
-    if (!all_sides || labels_[vertex].all_sides || distance > present * (1 + equal_share)) return;
+    if (!all_sides || labels_[vertex].all_sides() || distance > present * (1 + equal_share)) return;
     labels_.widen(vertex);
     return wavefront_.push_vertex(vertex, present);
   }
-  Angle side;
-  if (surface_.kind(vertex) != FlatSurface::VertexKind::smooth) {
+  Angle side = all_sides ? no_angle : Angle{};
+  if (!all_sides && surface_.kind(vertex) != FlatSurface::VertexKind::smooth) {
     double dx = w.x[i] - apex.x, dy = w.y[i] - apex.y;
     const double off = x - apex.x;  // of the bend
     if (x != w.x[i] && std::hypot(off, apex.y) > close_share * apex.length) dx = off, dy = -apex.y;
@@ -183,12 +183,12 @@ void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t 
     const double size = std::sqrt(along * along + across * across);
     if (size > 0) side = {along / size, across / size};
   }
-  lower(vertex, {distance, side, apex.left(), source_of(w.origin[i]), all_sides}, {w.parent[i], no_index});
+  lower(vertex, {distance, side, apex.left(), source_of(w.origin[i])}, {w.parent[i], no_index});
 }
 
 void Propagation::lower(Index vertex, const Label& label, const Step& step) {
   labels_.set(vertex, label, step);
-  if (label.corner == no_index || label.all_sides || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
+  if (label.corner == no_index || label.all_sides() || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
     wavefront_.push_vertex(vertex, label.distance);
 }
 

@@ -76,6 +76,10 @@ double equal_place(const Window& a, const Window& b, double low, double high) {
 
 std::size_t Trimming::trim(const WindowArrays& w, std::size_t count, std::vector<std::uint32_t>& breaks) {
   breaks.clear();
+  if (count == 1) {
+    dropped_ += w.empty(0);
+    return w.empty(0) ? 0 : 1;
+  }
   if (cuts_.size() < count + most_lanes) cuts_.resize(2 * (count + most_lanes));
   const bool unsure = lanes_->cut(w, count, cuts_.data());
   bool tangled = false;

@@ -35,6 +35,11 @@ void Wavefront::clear() {
 Wavefront::Next Wavefront::pop() {
   const Index element = queue_.pop();
   const auto half_edges = static_cast<Index>(waiting_.size());
+  queue_.for_each_of_the_next([&](Index soon) {
+    if (soon >= half_edges) return;
+    const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
+    __builtin_prefetch(face), __builtin_prefetch(face + 64);
+  });
   if (element >= half_edges) return {no_index, no_index, element - half_edges};
   const Index block = waiting_[element];
   waiting_[element] = no_index;

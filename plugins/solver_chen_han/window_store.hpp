@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -67,11 +69,11 @@ class WindowStore {
   static constexpr std::size_t page_size = 1 << 13;  // doubles
   static constexpr std::size_t steps = 4;            // sizes to an octave
 
-  /// Capacities 4, 8, 12, 16, then four steps to each doubling.
+  /// The first capacity that is enough, of 4, 8, 12, 16, then four steps to each doubling.
   static std::size_t size_class(std::size_t capacity) {
-    std::size_t kind = 0;
-    while (capacity_of(kind) < capacity) ++kind;
-    return kind;
+    const std::size_t last = (capacity - 1) / 4;  // of its fours, from 0
+    const int octave = std::max(0, static_cast<int>(std::bit_width(last / steps)) - 1);
+    return steps * static_cast<std::size_t>(octave) + (last >> octave);
   }
   static std::size_t capacity_of(std::size_t kind) {
     return kind < steps ? 4 * (kind + 1) : (16 << (kind / steps - 1)) + (kind % steps + 1) * (4 << (kind / steps - 1));

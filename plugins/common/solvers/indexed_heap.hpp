@@ -20,6 +20,12 @@ class IndexedHeap {
   bool holds(Index element) const { return place_[element] != nowhere; }
   std::size_t bytes() const { return place_.capacity() * sizeof(Index) + entries_.capacity() * sizeof(Entry); }
 
+  /// Calls `visit(element)` for a few elements that may come first next.
+  template <class Visit>
+  void for_each_of_the_next(Visit&& visit) const {
+    for (std::size_t i = 0; i < std::min<std::size_t>(entries_.size(), arity + 1); ++i) visit(entries_[i].element);
+  }
+
   /// Inserts an element, or lowers its key; a key that is not lower changes nothing. O(log n).
   void push(Index element, double key) {
     Index at = place_[element];
@@ -73,7 +79,7 @@ class IndexedHeap {
     for (Index child = 1; child < size; child = arity * at + 1) {
       Index least = child;
       for (Index other = child + 1; other < std::min(child + arity, size); ++other)
-        if (entries_[other].before(entries_[least])) least = other;
+        least += (other - least) * static_cast<Index>(entries_[other].before(entries_[least]));
       if (!entries_[least].before(entry)) break;
       put(at, entries_[least]);
       at = least;
