@@ -27,11 +27,11 @@ bool is_close(const WindowArrays& w, double length) {
 Propagation::Propagation(const FlatSurface& surface, const Settings& settings)
     : surface_(surface),
       settings_(settings),
-      lanes_(lanes(settings.simd)),
+      lanes_(&lanes(Simd::baseline)),
       labels_(surface.vertex_count()),
       wavefront_(surface),
       store_(wavefront_.store()),
-      trimming_(lanes_) {}
+      trimming_(*lanes_) {}
 
 void Propagation::begin(bool keep, double limit) {
   wavefront_.clear();  // what a run that was stopped left behind
@@ -43,6 +43,14 @@ void Propagation::begin(bool keep, double limit) {
   watched_.clear();
   trimming_.reset();
   counts_ = {};
+  choose_lanes();
+}
+
+/// Wide registers for a run whose lists are long so far, since the processor lowers its clock for them.
+void Propagation::choose_lanes() {
+  constexpr std::uint64_t long_list = 7;
+  lanes_ = &lanes(counts_.propagated > long_list * counts_.passes ? settings_.simd : Simd::baseline);
+  trimming_.use(*lanes_);
 }
 
 Index Propagation::source_of(Index origin) const {
@@ -107,7 +115,7 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
 
   if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
   const Split split = split_at(apex, list.windows, list.count);
-  if (list.count > 1 && !lanes_.parted(list.windows, list.count, apex.x, apex.y, split.right_begin, split.left_end))
+  if (list.count > 1 && !lanes_->parted(list.windows, list.count, apex.x, apex.y, split.right_begin, split.left_end))
     return carry_one_by_one(apex, list, depth + 1);
   lower_apex(apex, list, split);
   carry_left(apex, list, split.last_left(), split.right_begin, depth + 1);
@@ -232,7 +240,7 @@ void Propagation::carry_right(const Apex& apex, const Span& list, std::size_t be
 Index Propagation::carry(const Span& list, const Turn& turn) {
   const Index block = store_.add(list.count);
   const WindowArrays child = store_[block].windows();
-  lanes_.carry(list.windows, list.count, turn, child);
+  lanes_->carry(list.windows, list.count, turn, child);
   copy_lanes(list.windows.sigma, list.count, child.sigma);
   copy_lanes(list.windows.origin, list.count, child.origin);
   copy_lanes(list.windows.parent, list.count, child.parent);

@@ -58,7 +58,7 @@ class Propagation {
   void run(const RunContext& context, LowerLimit&& lower_limit) {
     for (std::uint64_t step = 0; !wavefront_.empty(); ++step) {
       if (step % poll_interval == 0) context.throw_if_cancelled();
-      if (step % poll_interval == poll_interval - 1) limit_ = std::min(limit_, lower_limit());
+      if (step % poll_interval == poll_interval - 1) limit_ = std::min(limit_, lower_limit()), choose_lanes();
       next();
     }
   }
@@ -79,6 +79,7 @@ class Propagation {
     std::size_t count;
   };
 
+  void choose_lanes();
   void next();
   void process(Index half_edge, Index block);
   void gather(Index half_edge, Index first_block);
@@ -106,7 +107,7 @@ class Propagation {
 
   const FlatSurface& surface_;
   Settings settings_;
-  const Lanes& lanes_;
+  const Lanes* lanes_;
   Labels labels_;
   Wavefront wavefront_;
   WindowStore& store_;

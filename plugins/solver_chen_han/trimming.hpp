@@ -25,6 +25,7 @@ namespace geodrome::chen_han {
 class Trimming {
  public:
   explicit Trimming(const Lanes& lanes) : lanes_(&lanes) {}
+  void use(const Lanes& lanes) { lanes_ = &lanes; }
 
   /// Trims `count` >= 1 ordered windows that may overlap until they are disjoint and ascending, and drops what is left
   /// empty; returns how many remain. `breaks` gets the positions before which a pair could not be put in order: the
