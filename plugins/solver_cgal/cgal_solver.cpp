@@ -147,12 +147,9 @@ class CgalSearch final : public Search, private ShortestPathMap {
   const SurfaceMesh& mesh() const { return *prepared_->mesh; }
 
   void check(std::span<const Source> sources, const Request& request) const {
-    if (sources.empty()) throw CapabilityError("there is no source");
-    for (const Source& source : sources) {
-      require_on_surface(mesh(), source.at, "a source");
+    require_valid(mesh(), sources, request);
+    for (const Source& source : sources)
       if (source.start != 0) throw CapabilityError("sources with a start distance are not supported");
-    }
-    for (const SurfacePoint& target : request.targets) require_on_surface(mesh(), target, "a target");
     if (request.stop_at_targets) throw CapabilityError("stopping at targets is not supported");
   }
 

@@ -20,7 +20,7 @@ WindowSearch::WindowSearch(std::shared_ptr<const FlatSurface> surface, const Set
 }
 
 const ShortestPathMap& WindowSearch::run(std::span<const Source> sources, const Request& request, RunContext& context) {
-  check(sources, request);
+  require_valid(mesh(), sources, request);
   context.throw_if_cancelled();
   sources_.assign(sources.begin(), sources.end());
   keep_ = request.keep;
@@ -41,16 +41,6 @@ const ShortestPathMap& WindowSearch::run(std::span<const Source> sources, const 
   propagation_.run(context, [&] { return request.stop_at_targets ? farthest_target(request) : infinity; });
   finish(request);
   return *this;
-}
-
-void WindowSearch::check(std::span<const Source> sources, const Request& request) const {
-  if (sources.empty()) throw CapabilityError("there is no source");
-  for (const Source& source : sources) {
-    require_on_surface(mesh(), source.at, "a source");
-    if (!(source.start >= 0 && source.start < infinity))
-      throw InputError(InputFault::range, "a source's start distance is negative or not finite");
-  }
-  for (const SurfacePoint& target : request.targets) require_on_surface(mesh(), target, "a target");
 }
 
 /// Targets in faces are lowered while windows pass, unless the windows are kept and can be asked afterwards.

@@ -33,7 +33,6 @@ class WindowSearch final : public Search, private ShortestPathMap {
   };
 
   const SurfaceMesh& mesh() const { return surface_->mesh(); }
-  void check(std::span<const Source> sources, const Request& request) const;
   void watch(const Request& request);
   double farthest_target(const Request& request) const;
   void finish(const Request& request);

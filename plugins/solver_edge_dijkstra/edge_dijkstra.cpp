@@ -75,7 +75,7 @@ class EdgeSearch final : public Search, private ShortestPathMap {
       : prepared_(std::move(prepared)), labels_(prepared_->graph) {}
 
   const ShortestPathMap& run(std::span<const Source> sources, const Request& request, RunContext& context) override {
-    check(sources, request);
+    require_valid(mesh(), sources, request);
     context.throw_if_cancelled();
     sources_.assign(sources.begin(), sources.end());
     radius_ = request.radius;
@@ -116,16 +116,6 @@ class EdgeSearch final : public Search, private ShortestPathMap {
 
  private:
   const SurfaceMesh& mesh() const { return *prepared_->mesh; }
-
-  void check(std::span<const Source> sources, const Request& request) const {
-    if (sources.empty()) throw CapabilityError("there is no source");
-    for (const Source& source : sources) {
-      require_on_surface(mesh(), source.at, "a source");
-      if (!(source.start >= 0 && source.start < infinity))
-        throw InputError(InputFault::range, "a source's start distance is negative or not finite");
-    }
-    for (const SurfacePoint& target : request.targets) require_on_surface(mesh(), target, "a target");
-  }
 
   void seed() {
     sources_in_face_.clear();

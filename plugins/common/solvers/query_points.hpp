@@ -29,6 +29,18 @@ inline void require_on_surface(const SurfaceMesh& mesh, const SurfacePoint& poin
                                             " has barycentric coordinates that are negative or do not sum to 1");
 }
 
+/// Throws CapabilityError for a request without sources, InputError for a source or target that is not on the surface and
+/// for a start distance that is negative or not finite.
+inline void require_valid(const SurfaceMesh& mesh, std::span<const Source> sources, const Request& request) {
+  if (sources.empty()) throw CapabilityError("there is no source");
+  for (const Source& source : sources) {
+    require_on_surface(mesh, source.at, "a source");
+    if (!(source.start >= 0 && std::isfinite(source.start)))
+      throw InputError(InputFault::range, "a source's start distance is negative or not finite");
+  }
+  for (const SurfacePoint& target : request.targets) require_on_surface(mesh, target, "a target");
+}
+
 /// The distances of a request's targets, kept after the rest is dropped (Keep::targets). Reused from run to run.
 class KeptTargets {
   using Entry = std::pair<SurfacePoint, Distance>;
