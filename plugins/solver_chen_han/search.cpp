@@ -12,6 +12,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// The propagation asks for a limit once in so many of its steps, so that a target costs about one step.
+constexpr std::size_t steps_a_poll = 256;
+
 }  // namespace
 
 WindowSearch::WindowSearch(std::shared_ptr<const FlatSurface> surface, const Settings& settings)
@@ -38,7 +41,11 @@ const ShortestPathMap& WindowSearch::run(std::span<const Source> sources, const 
   std::stable_sort(sources_in_faces_.begin(), sources_in_faces_.end(),
                    [](const auto& a, const auto& b) { return a.first.face < b.first.face; });
   watch(request);
-  propagation_.run(context, [&] { return request.stop_at_targets ? farthest_target(request) : infinity; });
+  std::size_t polls = 0;  // looking at all targets must not cost more than the search
+  propagation_.run(context, [&] {
+    const bool look = request.stop_at_targets && ++polls % (1 + request.targets.size() / steps_a_poll) == 0;
+    return look ? farthest_target(request) : infinity;
+  });
   finish(request);
   return *this;
 }

@@ -172,7 +172,7 @@ void FlatSurface::order_corners(Index vertex, std::vector<bool>& regular) {
 }
 
 void FlatSurface::judge_vertices() {
-  std::vector<bool> regular(vertex_count(), false), touches_nothing(vertex_count(), false);
+  std::vector<bool> regular(vertex_count(), false), has_short_edge(vertex_count(), false);
   for (Index v = 0; v < vertex_count(); ++v) order_corners(v, regular);
 
   Vec3 low{INFINITY, INFINITY, INFINITY}, high = -low;
@@ -183,12 +183,11 @@ void FlatSurface::judge_vertices() {
   const double shortest = no_place * std::ldexp(std::hypot(high.x - low.x, high.y - low.y, high.z - low.z), exponent_);
   for (const Face& face : faces_)
     for (int i = 0; i < 3; ++i)
-      if (face.length[i] <= shortest)
-        touches_nothing[face.vertex[i]] = touches_nothing[face.vertex[(i + 1) % 3]] = true;
+      if (face.length[i] <= shortest) has_short_edge[face.vertex[i]] = has_short_edge[face.vertex[(i + 1) % 3]] = true;
 
   kind_.assign(vertex_count(), VertexKind::irregular);
   for (Index v = 0; v < vertex_count(); ++v) {
-    if (!regular[v] || touches_nothing[v]) continue;
+    if (!regular[v] || has_short_edge[v]) continue;
     double angle = 0;
     for (const Index h : corners(v)) angle += std::atan2(face_of(h).sine[h % 3], face_of(h).cosine[h % 3]);
     const Index first = corners(v).front();

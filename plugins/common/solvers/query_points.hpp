@@ -29,8 +29,8 @@ inline void require_on_surface(const SurfaceMesh& mesh, const SurfacePoint& poin
                                             " has barycentric coordinates that are negative or do not sum to 1");
 }
 
-/// Throws CapabilityError for a request without sources, InputError for a source or target that is not on the surface and
-/// for a start distance that is negative or not finite.
+/// Throws CapabilityError for a request without sources, InputError for a source or target that is not on the surface
+/// and for a start distance that is negative or not finite.
 inline void require_valid(const SurfaceMesh& mesh, std::span<const Source> sources, const Request& request) {
   if (sources.empty()) throw CapabilityError("there is no source");
   for (const Source& source : sources) {
