@@ -261,7 +261,8 @@ void Propagation::send(Index block, Index edge, Entry entry, Index depth) {
 
 /// What is behind a break of a block waits as a block of its own.
 void Propagation::split_off(Index block, Index edge) {
-  for (const std::uint32_t first : [&] { return std::vector(breaks_.rbegin(), breaks_.rend()); }()) {
+  const std::vector<std::uint32_t> breaks(breaks_.rbegin(), breaks_.rend());  // handing on may trim, with breaks_
+  for (const std::uint32_t first : breaks) {
     const Index rest = store_.add(store_[block].count - first);
     copy_windows(store_[block].windows().without(first), store_[rest].count, store_[rest].windows());
     store_[rest].windows().pad(store_[rest].count);

@@ -5,15 +5,18 @@
 
 namespace geodrome::bench {
 
+void require_needs(const PluginInfo& solver, const SurfaceMesh& mesh) {
+  const auto demand = [&](std::uint64_t bit, bool given, const char* what) {
+    if ((solver.needs & bit) && !given) throw CapabilityError(solver.full_name() + " needs a surface that is " + what);
+  };
+  demand(Needs::manifold, mesh.manifold(), "manifold");
+  demand(Needs::oriented, mesh.oriented(), "oriented");
+  demand(Needs::closed, mesh.closed(), "closed");
+}
+
 SolverRunner::SolverRunner(Plugin<ShortestPathSolver> plugin, MeshPtr mesh)
     : plugin_(std::move(plugin)), mesh_(std::move(mesh)) {
-  const auto demand = [&](std::uint64_t bit, bool given, const char* what) {
-    if ((plugin_.info.needs & bit) && !given)
-      throw CapabilityError(plugin_.info.full_name() + " needs a surface that is " + what);
-  };
-  demand(Needs::manifold, mesh_->manifold(), "manifold");
-  demand(Needs::oriented, mesh_->oriented(), "oriented");
-  demand(Needs::closed, mesh_->closed(), "closed");
+  require_needs(plugin_.info, *mesh_);
 }
 
 double SolverRunner::prepare() {

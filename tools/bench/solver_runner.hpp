@@ -12,6 +12,9 @@
 
 namespace geodrome::bench {
 
+/// Throws CapabilityError unless the mesh is what a solver needs.
+void require_needs(const PluginInfo& solver, const SurfaceMesh& mesh);
+
 /// Wall-clock time of a piece of work.
 template <class Work>
 double seconds_of(Work&& work) {

@@ -5,26 +5,18 @@
 #include <string>
 #include <utility>
 
+#include "tools/bench/solver_runner.hpp"
+
 namespace geodrome::bench {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-void require(const Plugin<ShortestPathSolver>& plugin, const SurfaceMesh& mesh) {
-  const auto demand = [&](std::uint64_t bit, bool given, const char* what) {
-    if ((plugin.info.needs & bit) && !given)
-      throw CapabilityError(plugin.info.full_name() + " needs a surface that is " + what);
-  };
-  demand(Needs::manifold, mesh.manifold(), "manifold");
-  demand(Needs::oriented, mesh.oriented(), "oriented");
-  demand(Needs::closed, mesh.closed(), "closed");
-}
-
 }  // namespace
 
 Witness::Witness(const Plugin<ShortestPathSolver>& plugin, MeshPtr mesh, double seconds)
     : plugin_(plugin), mesh_(std::move(mesh)), common_(*mesh_), context_(seconds) {
-  require(plugin_, *mesh_);
+  require_needs(plugin_.info, *mesh_);
   plugin_.call([&](const ShortestPathSolver& solver) {
     prepared_ = solver.prepare(mesh_, context_);
     search_ = prepared_->make_search();

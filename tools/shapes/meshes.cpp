@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
+#include "tools/shapes/quarter.hpp"
 #include "tools/shapes/surface_net.hpp"
 
 namespace geodrome::shapes {
@@ -52,24 +52,10 @@ SurfaceMesh with_radius(const SurfaceMesh& sphere, Radius radius) {
   return SurfaceMesh(std::move(positions), {sphere.triangles().begin(), sphere.triangles().end()});
 }
 
-/// One triangle becomes four; new vertices are midpoints of edges, pushed out to the unit sphere.
-void quarter(std::vector<Vec3>& positions, std::vector<Triangle>& triangles) {
-  std::map<std::pair<Index, Index>, Index> midpoints;
-  const auto midpoint = [&](Index a, Index b) {
-    const auto [entry, is_new] = midpoints.emplace(std::minmax(a, b), static_cast<Index>(positions.size()));
-    if (is_new) {
-      const Vec3 sum = positions[a] + positions[b];
-      positions.push_back(sum / norm(sum));
-    }
-    return entry->second;
-  };
-  std::vector<Triangle> finer;
-  finer.reserve(4 * triangles.size());
-  for (const auto& [a, b, c] : triangles) {
-    const Index ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
-    finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-  }
-  triangles = std::move(finer);
+/// The middle of an edge, pushed out to the unit sphere.
+Vec3 middle_on_sphere(const Vec3& p, const Vec3& q) {
+  const Vec3 sum = p + q;
+  return sum / norm(sum);
 }
 
 }  // namespace
@@ -109,7 +95,7 @@ SurfaceMesh icosphere(std::size_t faces) {
                                   {11, 10, 2}, {10, 7, 6}, {7, 1, 8},  {3, 9, 4},  {3, 4, 2},   {3, 2, 6}, {3, 6, 8},
                                   {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}};
   // A factor 4 between counts: the next one is nearer by ratio when less than half of the wanted count is there.
-  while (2 * triangles.size() < faces) quarter(positions, triangles);
+  while (2 * triangles.size() < faces) quarter(positions, triangles, middle_on_sphere);
   return SurfaceMesh(std::move(positions), std::move(triangles));
 }
 

@@ -2,30 +2,14 @@
 #include "tools/shapes/refine.hpp"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 #include <vector>
 
+#include "tools/shapes/quarter.hpp"
 #include "tools/shapes/random.hpp"
 
 namespace geodrome::shapes {
 namespace {
-
-void quarter(std::vector<Vec3>& positions, std::vector<Triangle>& triangles) {
-  std::map<std::pair<Index, Index>, Index> middles;
-  const auto middle = [&](Index a, Index b) {
-    const auto [entry, is_new] = middles.emplace(std::minmax(a, b), static_cast<Index>(positions.size()));
-    if (is_new) positions.push_back(0.5 * (positions[a] + positions[b]));
-    return entry->second;
-  };
-  std::vector<Triangle> finer;
-  finer.reserve(4 * triangles.size());
-  for (const auto& [a, b, c] : triangles) {
-    const Index ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-    finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-  }
-  triangles = std::move(finer);
-}
 
 /// A point of a triangle whose coordinates are at least 1/21: the weights before division lie between 0.1 and 1.
 Vec3 random_inner_point(const Vec3& p, const Vec3& q, const Vec3& r, Random& random) {
@@ -39,7 +23,8 @@ Vec3 random_inner_point(const Vec3& p, const Vec3& q, const Vec3& r, Random& ran
 SurfaceMesh refine_by_midpoints(const SurfaceMesh& mesh, std::size_t faces) {
   std::vector<Vec3> positions(mesh.positions().begin(), mesh.positions().end());
   std::vector<Triangle> triangles(mesh.triangles().begin(), mesh.triangles().end());
-  while (!triangles.empty() && triangles.size() < faces) quarter(positions, triangles);
+  while (!triangles.empty() && triangles.size() < faces)
+    quarter(positions, triangles, [](const Vec3& p, const Vec3& q) { return 0.5 * (p + q); });
   return SurfaceMesh(std::move(positions), std::move(triangles));
 }
 
