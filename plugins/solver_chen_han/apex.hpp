@@ -58,21 +58,9 @@ struct Split {
   std::size_t first_right() const { return covered() ? first_best : right_begin; }
 };
 
-/// The split of an ordered list, by binary search. It is true unless lines of the list cross beyond the half-edge:
-/// `Lanes::parted` tells.
-inline Split split_at(const Apex& apex, const WindowArrays& w, std::size_t count) {
-  const auto first = [count](auto&& holds) {
-    std::size_t low = 0, high = count;
-    while (low < high) {
-      const std::size_t middle = (low + high) / 2;
-      holds(middle) ? high = middle : low = middle + 1;
-    }
-    return low;
-  };
-  Split split{};
-  split.right_begin = first([&](std::size_t i) { return apex.has_right(w, i); });
-  split.left_end = first([&](std::size_t i) { return !apex.has_left(w, i); });
-  split.best = split.right_begin;
+/// The split of a list in order.
+inline Split split_at(const Apex& apex, const WindowArrays& w, const Parting& parting) {
+  Split split{parting.right_begin, parting.left_end, parting.right_begin, 0, 0};
   const auto distance = [&](std::size_t i) { return w.to(i, apex.x, apex.y); };
   for (std::size_t i = split.right_begin + 1; i < split.left_end; ++i)
     if (distance(i) < distance(split.best)) split.best = i;

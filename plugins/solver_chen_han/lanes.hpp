@@ -14,22 +14,27 @@ struct Turn {
   double away;  ///< where the end of a window goes whose line never meets the new edge: 0 or `limit`
 };
 
+/// Of a list: the windows [0, left_end) have lines to the left of a point, [right_begin, count) to its right. Only if
+/// `in_order`; lines of an ordered list may cross beyond their half-edge.
+struct Parting {
+  std::size_t right_begin, left_end;
+  bool in_order;
+};
+
 /// The loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE
-/// operations on every window, so all give the same bytes. Arrays must be padded: up to `most_lanes` windows beyond the
+/// operations on every window, so all give the same bytes. Arrays must be padded: up to `padding` windows beyond the
 /// last are read and, in what is written, have any value afterwards.
 struct Lanes {
   /// The first `count` windows of `in` as seen from the new edge.
   void (*carry)(const WindowArrays& in, std::size_t count, const Turn& turn, const WindowArrays& out);
 
   /// For windows i and i + 1 that overlap, where to cut: cut[i] is the place at which they are equally far, or the end
-  /// of the one that wins all of the overlap if it ends it. +inf where they do not overlap, NaN where the formula did
-  /// not pass its check; true if there is such a place. Reads `count` windows, count >= 1, writes count - 1 cuts.
+  /// of the one that wins all of the overlap if it ends it. NaN where they do not overlap, or where the formula did not
+  /// pass its check; true if it did not somewhere. Reads `count` windows, count >= 1, writes count - 1 cuts.
   bool (*cut)(const WindowArrays& windows, std::size_t count, double* cut);
 
-  /// Whether the windows that have lines to the left of point (x, y) are the first `left_end`, and those with lines to
-  /// the right of it the ones from `right_begin` on.
-  bool (*parted)(const WindowArrays& windows, std::size_t count, double x, double y, std::size_t right_begin,
-                 std::size_t left_end);
+  /// Where a list is parted by the point (x, y), y > 0.
+  Parting (*part)(const WindowArrays& windows, std::size_t count, double x, double y);
 };
 
 /// Above 0 where the line from image (ix, iy) through (px, 0) leaves the point (x, y) on its left, below where on its

@@ -57,6 +57,11 @@ struct Register {
     for (int k = 0; k < N; ++k) r[k] = first + k;
     return r;
   }
+  double sum() const {
+    double all = 0;
+    for (int k = 0; k < N; ++k) all += v[k];
+    return all;
+  }
   static bool any(Mask mask) {
     long long all = 0;
     for (int k = 0; k < N; ++k) all |= mask[k];
@@ -81,6 +86,9 @@ void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const Wi
     const Double y = least(computed_y, zero);
     x.store(out.x + i);
     y.store(out.y + i);
+    __builtin_memcpy(out.sigma + i, in.sigma + i, N * sizeof(double));
+    __builtin_memcpy(out.origin + i, in.origin + i, N * sizeof(Index));
+    __builtin_memcpy(out.parent + i, in.parent + i, N * sizeof(Index));
     // The line from the image through the end (qx, qy) of the window goes on to y = 0.
     const auto onward = [&](const double* end, const Double& if_behind) {
       const Double p = Double(end + i) - pivot;
@@ -96,8 +104,7 @@ void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const Wi
 template <int N>
 bool cut(const WindowArrays& w, std::size_t count, double* cuts) {
   using Double = Register<N>;
-  const Double zero, none(std::numeric_limits<double>::infinity()), unknown(std::numeric_limits<double>::quiet_NaN()),
-      share(equal_share);
+  const Double zero, none(std::numeric_limits<double>::quiet_NaN()), share(equal_share);
   typename Double::Mask failed{};
   for (std::size_t i = 0; i + 1 < count; i += N) {
     const Double low_1(w.low + i), low_2(w.low + i + 1), high_1(w.high + i), high_2(w.high + i + 1);
@@ -111,29 +118,33 @@ bool cut(const WindowArrays& w, std::size_t count, double* cuts) {
     const auto first_wins = (x == high_1) & (gap < zero), second_wins = (x == low_2) & (gap > zero);
     const auto in_turn = (low < high) & (low_1 <= low_2) & (high_1 <= high_2), apart = high_1 <= low_2;
     const auto sound = (equal | first_wins | second_wins) & in_turn;
-    select(apart, none, select(sound, x, unknown)).store(cuts + i);
+    select(sound & ~apart, x, none).store(cuts + i);
     failed |= ~(apart | sound) & (Double::count_from(static_cast<double>(i + 1)) < Double(static_cast<double>(count)));
   }
   return Double::any(failed);
 }
 
+/// Those of n windows are the last (first) of a list whose numbers have the largest (smallest) sum that n numbers can
+/// have: one loop, and no branch that depends on the list.
 template <int N>
-bool parted(const WindowArrays& w, std::size_t count, double x, double y, std::size_t right_begin,
-            std::size_t left_end) {
+Parting part(const WindowArrays& w, std::size_t count, double x, double y) {
   using Double = Register<N>;
-  const Double zero, begin(static_cast<double>(right_begin)), end(static_cast<double>(left_end)),
-      last(static_cast<double>(count));
-  typename Double::Mask wrong{};
-  for (std::size_t i = 0; i < count; i += N) {
-    const Double ix(w.x + i), iy(w.y + i), index = Double::count_from(static_cast<double>(i));
-    const auto right = side_of_line(ix, iy, Double(w.high + i), x, y) > zero;
-    const auto left = side_of_line(ix, iy, Double(w.low + i), x, y) < zero;
-    wrong |= ((right ^ (index >= begin)) | (left ^ (index < end))) & (index < last);
+  const Double zero, one(1.0), last(static_cast<double>(count));
+  Double rights, right_numbers, lefts, left_numbers, number = Double::count_from(0);
+  for (std::size_t i = 0; i < count; i += N, number = number + Double(static_cast<double>(N))) {
+    const Double ix(w.x + i), iy(w.y + i);
+    const auto right = (side_of_line(ix, iy, Double(w.high + i), x, y) > zero) & (number < last);
+    const auto left = (side_of_line(ix, iy, Double(w.low + i), x, y) < zero) & (number < last);
+    rights = rights + select(right, one, zero), right_numbers = right_numbers + select(right, number, zero);
+    lefts = lefts + select(left, one, zero), left_numbers = left_numbers + select(left, number, zero);
   }
-  return !Double::any(wrong);
+  const double right = rights.sum(), left = lefts.sum(), all = static_cast<double>(count);
+  const bool in_order =
+      2 * right_numbers.sum() == right * (2 * all - right - 1) && 2 * left_numbers.sum() == left * (left - 1);
+  return {count - static_cast<std::size_t>(right), static_cast<std::size_t>(left), in_order};
 }
 
 template <int N>
-constexpr Lanes lanes_of{&carry<N>, &cut<N>, &parted<N>};
+constexpr Lanes lanes_of{&carry<N>, &cut<N>, &part<N>};
 
 }  // namespace geodrome::chen_han

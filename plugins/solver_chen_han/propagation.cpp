@@ -2,6 +2,7 @@
 #include "solver_chen_han/propagation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "solver_chen_han/emission.hpp"
@@ -76,19 +77,24 @@ void Propagation::process(Index half_edge, Index block) {
 
 /// Several blocks: one of each entry in their order, the others merged into them.
 void Propagation::gather(Index half_edge, Index first_block) {
+  std::array<Index, 3> ordered{no_index, no_index, no_index};
   blocks_.clear();
   Index depth = no_index;
   for (Index b = first_block; b != no_index; b = store_[b].next) {
-    blocks_.push_back(b);
     depth = std::min(depth, store_[b].depth);
+    const Entry entry = store_[b].entry;
+    if (entry == Entry::loose || ordered[static_cast<std::size_t>(entry)] != no_index)
+      blocks_.push_back(b);
+    else
+      ordered[static_cast<std::size_t>(entry)] = b;
   }
   list_.clear();
-  for (const Entry entry : {Entry::left, Entry::apex, Entry::right}) {
-    const auto found = std::find_if(blocks_.begin(), blocks_.end(), [&](Index b) { return store_[b].entry == entry; });
-    if (found == blocks_.end()) continue;
-    if (!trimming_.append(list_, store_[*found].windows(), store_[*found].count)) continue;
-    store_.release(*found);
-    blocks_.erase(found);
+  for (const Index b : ordered) {
+    if (b == no_index) continue;
+    if (trimming_.append(list_, store_[b].windows(), store_[b].count))
+      store_.release(b);
+    else
+      blocks_.push_back(b);
   }
   for (const Index b : blocks_) {
     trimming_.merge(list_, store_[b].windows(), store_[b].count);
@@ -114,9 +120,9 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
   if (!watched_.empty()) lower_watched(half_edge, list);
 
   if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
-  const Split split = split_at(apex, list.windows, list.count);
-  if (list.count > 1 && !lanes_->parted(list.windows, list.count, apex.x, apex.y, split.right_begin, split.left_end))
-    return carry_one_by_one(apex, list, depth + 1);
+  const Parting parting = lanes_->part(list.windows, list.count, apex.x, apex.y);
+  if (!parting.in_order) return carry_one_by_one(apex, list, depth + 1);
+  const Split split = split_at(apex, list.windows, parting);
   lower_apex(apex, list, split);
   carry_left(apex, list, split.last_left(), split.right_begin, depth + 1);
   carry_right(apex, list, split.first_right(), split.left_end, depth + 1);
@@ -239,11 +245,7 @@ void Propagation::carry_right(const Apex& apex, const Span& list, std::size_t be
 /// A block with the windows as seen from another edge.
 Index Propagation::carry(const Span& list, const Turn& turn) {
   const Index block = store_.add(list.count);
-  const WindowArrays child = store_[block].windows();
-  lanes_->carry(list.windows, list.count, turn, child);
-  copy_lanes(list.windows.sigma, list.count, child.sigma);
-  copy_lanes(list.windows.origin, list.count, child.origin);
-  copy_lanes(list.windows.parent, list.count, child.parent);
+  lanes_->carry(list.windows, list.count, turn, store_[block].windows());
   return block;
 }
 

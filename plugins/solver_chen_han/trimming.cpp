@@ -82,9 +82,11 @@ std::size_t Trimming::trim(const WindowArrays& w, std::size_t count, std::vector
   }
   if (cuts_.size() < count + most_lanes) cuts_.resize(2 * (count + most_lanes));
   const bool unsure = lanes_->cut(w, count, cuts_.data());
-  bool tangled = false;
-  for (std::size_t i = 0; i + 1 < count; ++i)
-    if (cuts_[i] < none) w.high[i] = w.low[i + 1] = cuts_[i];
+  for (std::size_t i = 0; i + 1 < count; ++i) {  // where there is no cut, neither is true
+    w.high[i] = cuts_[i] < w.high[i] ? cuts_[i] : w.high[i];
+    w.low[i + 1] = cuts_[i] > w.low[i + 1] ? cuts_[i] : w.low[i + 1];
+  }
+  bool tangled = false, some_empty = false;
   for (std::size_t i = 0; unsure && i + 1 < count; ++i) {
     if (!std::isnan(cuts_[i])) continue;
     const Pair pair = settle(w, i, w, i + 1);
@@ -92,19 +94,16 @@ std::size_t Trimming::trim(const WindowArrays& w, std::size_t count, std::vector
     if (pair == Pair::drop_right) w.low[i + 1] = w.high[i + 1];
     tangled = tangled || pair == Pair::tangled;
   }
-  if (tangled) return repair(w, count, 0, breaks);
-  for (std::size_t i = 0; i < count; ++i)
-    if (w.empty(i)) return repair(w, count, i, breaks);
-  return count;
+  for (std::size_t i = 0; i < count; ++i) some_empty |= w.empty(i);
+  return tangled || some_empty ? repair(w, count, breaks) : count;
 }
 
-/// The list before `first` is in order. Walks on from there with a stack: a window that is used up goes, and its
+/// Walks along the list with a stack: a window that is used up goes, and its
 /// neighbours meet. Their intervals still hold the place where they do, since each was cut where the lost one was not
 /// better.
-std::size_t Trimming::repair(const WindowArrays& w, std::size_t count, std::size_t first,
-                             std::vector<std::uint32_t>& breaks) {
-  std::size_t end = first;  // windows [0, end) are in order
-  std::size_t start = 0;    // of the present ordered run
+std::size_t Trimming::repair(const WindowArrays& w, std::size_t count, std::vector<std::uint32_t>& breaks) {
+  std::size_t end = 0;    // windows [0, end) are in order
+  std::size_t start = 0;  // of the present ordered run
   const auto take = [&](std::size_t i) {
     if (w.empty(i)) return false;
     while (end > start) {
@@ -121,7 +120,7 @@ std::size_t Trimming::repair(const WindowArrays& w, std::size_t count, std::size
     }
     return true;
   };
-  for (std::size_t i = first; i < count; ++i)
+  for (std::size_t i = 0; i < count; ++i)
     if (take(i)) {
       if (end != i) w.set(end, w.get(i));
       ++end;

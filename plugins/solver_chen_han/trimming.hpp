@@ -45,8 +45,7 @@ class Trimming {
   std::size_t bytes() const { return cuts_.capacity() * sizeof(double) + merged_.bytes(); }
 
  private:
-  std::size_t repair(const WindowArrays& windows, std::size_t count, std::size_t first,
-                     std::vector<std::uint32_t>& breaks);
+  std::size_t repair(const WindowArrays& windows, std::size_t count, std::vector<std::uint32_t>& breaks);
 
   const Lanes* lanes_;
   std::vector<double> cuts_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver_chen_han/wavefront.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace geodrome::chen_han {
@@ -16,7 +17,7 @@ constexpr double rounding = 1e-13;
 /// No point of ordered windows is nearer than this: the distance to them changes by at most the way along them.
 double least_distance(const WindowArrays& w, std::size_t count) {
   const double width = w.high[count - 1] - w.low[0];
-  return 0.5 * (w.at(0, w.low[0]) + w.at(count - 1, w.high[count - 1]) - width);
+  return std::max(0.0, 0.5 * (w.at(0, w.low[0]) + w.at(count - 1, w.high[count - 1]) - width));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class WindowStore {
     } else {
       block = free_block_, free_block_ = blocks_[block].next;
     }
-    const std::size_t kind = size_class(count + most_lanes), capacity = capacity_of(kind);
+    const std::size_t kind = size_class(count + padding), capacity = capacity_of(kind);
     blocks_[block].memory = take(kind);
     blocks_[block].first = 0;
     blocks_[block].count = static_cast<std::uint32_t>(count);

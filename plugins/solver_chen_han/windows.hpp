@@ -24,8 +24,10 @@ struct Window {
   double at(double px) const { return to(px, 0); }
 };
 
-/// Registers hold at most this many doubles. Loops over windows may read and write up to so many beyond the last one.
+/// Registers hold at most this many doubles.
 inline constexpr std::size_t most_lanes = 4;
+/// Loops over windows, and over pairs of neighbours, may read and write up to so many windows beyond the last one.
+inline constexpr std::size_t padding = most_lanes - 1;
 
 /// Windows as arrays, one for each member, so that SIMD lanes read them as they are. Does not own its memory.
 struct WindowArrays {
@@ -65,19 +67,19 @@ struct WindowArrays {
   /// Puts copies of the last window behind it: lanes that nobody asked for then compute with sound numbers.
   void pad(std::size_t count) const {
     const Window last = get(count - 1);
-    for (std::size_t i = count; i < count + most_lanes; ++i)
+    for (std::size_t i = count; i < count + padding; ++i)
       x[i] = last.x, y[i] = last.y, sigma[i] = last.sigma, low[i] = last.low, high[i] = last.high;
   }
 };
 
-/// Copies an array, a register at a time: up to `most_lanes` - 1 elements more than asked.
+/// Copies an array, a register at a time: up to `padding` elements more than asked.
 template <class Number>
 void copy_lanes(const Number* from, std::size_t count, Number* to) {
   for (std::size_t i = 0; i < count; i += most_lanes)
     for (std::size_t k = 0; k < most_lanes; ++k) to[i + k] = from[i + k];
 }
 
-/// Copies windows; both must have room for `most_lanes` - 1 more.
+/// Copies windows; both must be padded.
 inline void copy_windows(const WindowArrays& from, std::size_t count, const WindowArrays& to) {
   copy_lanes(from.x, count, to.x), copy_lanes(from.y, count, to.y), copy_lanes(from.sigma, count, to.sigma);
   copy_lanes(from.low, count, to.low), copy_lanes(from.high, count, to.high);

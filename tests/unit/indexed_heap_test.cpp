@@ -21,7 +21,7 @@ std::vector<Index> emptied(IndexedHeap& heap) {
 
 TEST(IndexedHeap, GivesTheLowestKeyFirst) {
   IndexedHeap heap(6);
-  for (const auto& [element, key] : {std::pair(4, 0.5), {0, 3.0}, {2, -1.0}, {5, 2.0}, {1, 0.25}})
+  for (const auto& [element, key] : {std::pair(4, 0.5), {0, 3.0}, {2, 0.0}, {5, 2.0}, {1, 0.25}})
     heap.push(static_cast<Index>(element), key);
   EXPECT_EQ(emptied(heap), (std::vector<Index>{2, 1, 4, 5, 0}));
 }
@@ -79,7 +79,7 @@ TEST(IndexedHeap, TakesAnElementAgainAfterItsPopWithAnyKey) {
 
 TEST(IndexedHeap, IsAsNewAfterClear) {
   IndexedHeap heap(9);
-  for (Index i = 0; i < 9; ++i) heap.push(i, -1.0 * i);
+  for (Index i = 0; i < 9; ++i) heap.push(i, 10.0 - i);
   heap.clear();
   EXPECT_TRUE(heap.empty());
   for (Index i = 0; i < 9; ++i) EXPECT_FALSE(heap.holds(i));

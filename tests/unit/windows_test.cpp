@@ -45,11 +45,11 @@ TEST(WindowArrays, AWindowOfNoWidthIsEmptyAndSoIsOneOfNoNumbers) {
 }
 
 TEST(WindowArrays, PaddingRepeatsTheGeometryOfTheLastWindow) {
-  std::vector<double> memory((2 + most_lanes) * WindowArrays::doubles_per_window);
-  const WindowArrays windows(memory.data(), 2 + most_lanes);
+  std::vector<double> memory((2 + padding) * WindowArrays::doubles_per_window);
+  const WindowArrays windows(memory.data(), 2 + padding);
   fill(windows, 2, 5);
   windows.pad(2);
-  for (std::size_t i = 2; i < 2 + most_lanes; ++i) {
+  for (std::size_t i = 2; i < 2 + padding; ++i) {
     Window padding = windows.get(i);
     padding.origin = named(6).origin, padding.parent = named(6).parent;
     EXPECT_TRUE(same(padding, named(6))) << i;
@@ -150,8 +150,8 @@ TEST(WindowStore, EveryCountFitsWithItsPaddingAndLittleMore) {
   WindowStore store;
   for (std::size_t count = 1; count <= 3000; ++count) {
     const Index block = store.add(count);
-    ASSERT_GE(store[block].capacity, count + most_lanes);
-    ASSERT_LE(store[block].capacity, std::max<std::size_t>(16, (count + most_lanes) * 5 / 4 + 1)) << count;
+    ASSERT_GE(store[block].capacity, count + padding);
+    ASSERT_LE(store[block].capacity, std::max<std::size_t>(16, (count + padding) * 5 / 4 + 1)) << count;
   }
 }
 
