@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 
 #include "geodrome/geometry.hpp"
@@ -72,18 +74,17 @@ struct WindowArrays {
   }
 };
 
-/// Copies an array, a register at a time: up to `padding` elements more than asked.
-template <class Number>
-void copy_lanes(const Number* from, std::size_t count, Number* to) {
-  for (std::size_t i = 0; i < count; i += most_lanes)
-    for (std::size_t k = 0; k < most_lanes; ++k) to[i + k] = from[i + k];
-}
-
-/// Copies windows; both must be padded.
+/// Copies windows, `most_lanes` at a time; both must be padded. They may overlap if `to` is before `from`.
 inline void copy_windows(const WindowArrays& from, std::size_t count, const WindowArrays& to) {
-  copy_lanes(from.x, count, to.x), copy_lanes(from.y, count, to.y), copy_lanes(from.sigma, count, to.sigma);
-  copy_lanes(from.low, count, to.low), copy_lanes(from.high, count, to.high);
-  copy_lanes(from.origin, count, to.origin), copy_lanes(from.parent, count, to.parent);
+  for (std::size_t i = 0; i < count; i += most_lanes) {
+    const auto copy = [i]<class Number>(const Number* source, Number* target) {
+      std::array<Number, most_lanes> taken;
+      std::memcpy(taken.data(), source + i, sizeof taken);
+      std::memcpy(target + i, taken.data(), sizeof taken);
+    };
+    copy(from.x, to.x), copy(from.y, to.y), copy(from.sigma, to.sigma), copy(from.low, to.low);
+    copy(from.high, to.high), copy(from.origin, to.origin), copy(from.parent, to.parent);
+  }
 }
 
 /// A list of windows that grows; kept from pass to pass.
