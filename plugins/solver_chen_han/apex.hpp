@@ -2,49 +2,31 @@
 #pragma once
 
 #include <cstddef>
-#include <tuple>
 
-#include "common/solvers/flat_surface.hpp"
-#include "solver_chen_han/bisector.hpp"
-#include "solver_chen_han/labels.hpp"
+#include "common/solvers/apex.hpp"
+#include "common/solvers/bisector.hpp"
 #include "solver_chen_han/lanes.hpp"
 #include "solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
 
-/// A face seen from one of its half-edges: start A, end B, the third corner C, its apex, at (x, y). Windows enter
-/// through the half-edge and leave through the edge from C to A on their left or that from B to C on their right.
-struct Apex {
-  Index half_edge;
-  const FlatSurface::Face& face;
-  int a, b, c;  ///< corners of the face
-  double length, x, y;
+/// How windows pass from the half-edge of `apex` to the frame of the half-edge beyond the edge on its left or right.
+inline Turn turn_left(const Apex& apex) {
+  const double limit = apex.left_length();
+  return {0, apex.face.cosine[apex.a], apex.face.sine[apex.a], 0, limit, limit};
+}
+inline Turn turn_right(const Apex& apex) {
+  const double limit = apex.right_length();
+  return {apex.length, apex.face.cosine[apex.b], -apex.face.sine[apex.b], limit, limit, 0};
+}
 
-  Apex(const FlatSurface& surface, Index h)
-      : half_edge(h), face(surface.face_of(h)), a(h % 3), b((a + 1) % 3), c((a + 2) % 3), length(face.length[a]) {
-    std::tie(x, y) = FlatSurface::apex(face, a);
-  }
-  Index start() const { return face.vertex[a]; }
-  Index end() const { return face.vertex[b]; }
-  Index vertex() const { return face.vertex[c]; }
-  Index left() const { return SurfaceMesh::previous(half_edge); }
-  Index right() const { return SurfaceMesh::next(half_edge); }
-  double left_length() const { return face.length[c]; }
-  double right_length() const { return face.length[b]; }
-  bool left_is_boundary() const { return face.across[c] == no_index; }
-  bool right_is_boundary() const { return face.across[b] == no_index; }
-  Angle angle(int corner) const { return {face.cosine[corner], face.sine[corner]}; }
-
-  /// How windows pass to the frame of the half-edge beyond the left or right edge.
-  Turn turn_left() const { return {0, face.cosine[a], face.sine[a], 0, left_length(), left_length()}; }
-  Turn turn_right() const { return {length, face.cosine[b], -face.sine[b], right_length(), right_length(), 0}; }
-
-  /// Whether window i has lines to the left or right of the apex.
-  bool has_left(const WindowArrays& w, std::size_t i) const { return side_of_line(w.x[i], w.y[i], w.low[i], x, y) < 0; }
-  bool has_right(const WindowArrays& w, std::size_t i) const {
-    return side_of_line(w.x[i], w.y[i], w.high[i], x, y) > 0;
-  }
-};
+/// Whether window i has lines to the left or right of the apex.
+inline bool has_left(const Apex& apex, const WindowArrays& w, std::size_t i) {
+  return side_of_line(w.x[i], w.y[i], w.low[i], apex.x, apex.y) < 0;
+}
+inline bool has_right(const Apex& apex, const WindowArrays& w, std::size_t i) {
+  return side_of_line(w.x[i], w.y[i], w.high[i], apex.x, apex.y) > 0;
+}
 
 /// How an ordered list meets the apex: windows [0, left_end) have lines to its left, [right_begin, end) to its right;
 /// what is in both has lines to it. `best` of those is nearest to it; from [first_best, last_best), which are as near

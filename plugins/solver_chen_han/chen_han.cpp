@@ -4,9 +4,9 @@
 #include <string>
 #include <utility>
 
-#include "common/solvers/flat_surface.hpp"
+#include "common/solvers/exact_prepared.hpp"
 #include "solver_chen_han/lanes.hpp"
-#include "solver_chen_han/search.hpp"
+#include "solver_chen_han/propagation.hpp"
 
 namespace geodrome {
 namespace {
@@ -20,30 +20,13 @@ chen_han::Simd simd_level(const std::string& name) {
   return level;
 }
 
-class ChenHanPrepared final : public PreparedSurface {
- public:
-  ChenHanPrepared(MeshPtr mesh, const chen_han::Settings& settings)
-      : surface_(std::make_shared<const FlatSurface>(std::move(mesh))), settings_(settings) {}
-  std::unique_ptr<Search> make_search() const override {
-    return std::make_unique<chen_han::WindowSearch>(surface_, settings_);
-  }
-  std::size_t bytes() const override { return surface_->bytes(); }
-
- private:
-  std::shared_ptr<const FlatSurface> surface_;
-  chen_han::Settings settings_;
-};
-
 }  // namespace
 
 ChenHanSolver::ChenHanSolver(const OptionValues& options)
     : settings_{options.text("filter") == "xin_wang", simd_level(options.text("simd"))} {}
 
 std::unique_ptr<PreparedSurface> ChenHanSolver::prepare(MeshPtr mesh, RunContext& context) const {
-  context.throw_if_cancelled();
-  if (!mesh->face_weights().empty())
-    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
-  return std::make_unique<ChenHanPrepared>(std::move(mesh), settings_);
+  return prepare_exact<chen_han::Propagation>(std::move(mesh), settings_, context);
 }
 
 }  // namespace geodrome

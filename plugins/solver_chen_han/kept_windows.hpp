@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "common/solvers/labels.hpp"
 #include "solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
@@ -60,6 +61,14 @@ class KeptWindows {
   std::vector<Pass> passes_;
   std::vector<Index> last_;
 };
+
+/// How a path goes on from a vertex: through a kept window, along an edge to another vertex, or (neither) straight to
+/// its source.
+struct Step {
+  Index window = no_index, vertex = no_index;
+};
+
+using Labels = geodrome::Labels<Step>;
 
 /// The length of the way through a window to a point (px, py) in its face: straight if a line of the window goes there,
 /// else bent at its nearer end. Always the length of a path that exists. `best` bounds what is of interest: a window

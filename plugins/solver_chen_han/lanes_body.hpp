@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_chen_han/bisector.hpp"
+#include "common/solvers/bisector.hpp"
 #include "solver_chen_han/lanes.hpp"
 
 /// The loops of lanes.hpp for registers of N doubles. Included once by each file that is compiled for a level; all is

@@ -5,7 +5,6 @@
 
 #include "common/solvers/flat_surface.hpp"
 #include "solver_chen_han/kept_windows.hpp"
-#include "solver_chen_han/labels.hpp"
 
 namespace geodrome::chen_han {
 

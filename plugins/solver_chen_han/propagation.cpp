@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "solver_chen_han/emission.hpp"
+#include "common/solvers/bisector.hpp"
+#include "common/solvers/emission.hpp"
 
 namespace geodrome::chen_han {
 namespace {
@@ -131,10 +132,10 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
 /// Windows whose lines cross beyond the half-edge, so that they do not lie to the left and right of the apex in order.
 void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index depth) {
   const WindowArrays& w = list.windows;
-  const auto both = [&](std::size_t i) { return apex.has_left(w, i) && apex.has_right(w, i); };
+  const auto both = [&](std::size_t i) { return has_left(apex, w, i) && has_right(apex, w, i); };
   std::size_t best = list.count;
   for (std::size_t i = 0; i < list.count; ++i) {
-    const double x = both(i) ? w.x[i] : apex.has_left(w, i) ? w.high[i] : w.low[i];
+    const double x = both(i) ? w.x[i] : has_left(apex, w, i) ? w.high[i] : w.low[i];
     lower_apex_by(apex, list, i, x, way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex())));
     if (both(i) && (best == list.count || w.to(i, apex.x, apex.y) < w.to(best, apex.x, apex.y))) best = i;
   }
@@ -149,10 +150,10 @@ void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index dep
     return Span{chosen_.arrays(), chosen_.size()};
   };
   const Span left =
-      choose([&](std::size_t i) { return apex.has_left(w, i) && (!both(i) || i <= best || keeps_both(i)); });
+      choose([&](std::size_t i) { return has_left(apex, w, i) && (!both(i) || i <= best || keeps_both(i)); });
   carry_left(apex, left, left.count, left.count, depth);
   const Span right =
-      choose([&](std::size_t i) { return apex.has_right(w, i) && (!both(i) || i >= best || keeps_both(i)); });
+      choose([&](std::size_t i) { return has_right(apex, w, i) && (!both(i) || i >= best || keeps_both(i)); });
   carry_right(apex, right, 0, 0, depth);
 }
 
@@ -193,9 +194,7 @@ void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t 
     double dx = w.x[i] - apex.x, dy = w.y[i] - apex.y;
     const double off = x - apex.x;  // of the bend
     if (x != w.x[i] && std::hypot(off, apex.y) > close_share * apex.length) dx = off, dy = -apex.y;
-    const double along = -apex.x * dx - apex.y * dy, across = std::max(0.0, apex.y * dx - apex.x * dy);
-    const double size = std::sqrt(along * along + across * across);
-    if (size > 0) side = {along / size, across / size};
+    side = apex.side(dx, dy);
   }
   lower(vertex, {distance, side, apex.left(), source_of(w.origin[i])}, {w.parent[i], no_index});
 }
@@ -226,7 +225,7 @@ void Propagation::lower_watched(Index half_edge, const Span& list) {
 /// or beyond it.
 void Propagation::carry_left(const Apex& apex, const Span& list, std::size_t end, std::size_t clipped, Index depth) {
   if (end == 0 || apex.left_is_boundary()) return;
-  const Index block = carry({list.windows, end}, apex.turn_left());
+  const Index block = carry({list.windows, end}, turn_left(apex));
   const WindowArrays child = store_[block].windows();
   for (std::size_t i = clipped; i < end; ++i) child.high[i] = apex.left_length();
   send(block, apex.left(), Entry::left, depth);
@@ -236,7 +235,7 @@ void Propagation::carry_left(const Apex& apex, const Span& list, std::size_t end
 /// apex, or beyond it.
 void Propagation::carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped, Index depth) {
   if (begin == list.count || apex.right_is_boundary()) return;
-  const Index block = carry({list.windows.without(begin), list.count - begin}, apex.turn_right());
+  const Index block = carry({list.windows.without(begin), list.count - begin}, turn_right(apex));
   const WindowArrays child = store_[block].windows();
   for (std::size_t i = begin; i < clipped; ++i) child.low[i - begin] = 0;
   send(block, apex.right(), Entry::right, depth);
@@ -359,11 +358,6 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
     const auto origin = static_cast<Index>(surface_.vertex_count()) + number;
     emit_window(apex.half_edge, {apex.length - x, -y, source.start, 0, apex.length, origin, no_index}, Entry::loose);
   }
-}
-
-std::size_t Propagation::bytes() const {
-  return labels_.bytes() + wavefront_.bytes() + trimming_.bytes() + kept_.bytes() +
-         watched_.capacity() * sizeof(Watched) + list_.bytes() + chosen_.bytes();
 }
 
 }  // namespace geodrome::chen_han

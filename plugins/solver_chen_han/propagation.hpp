@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
 #include "common/solvers/flat_surface.hpp"
+#include "common/solvers/watched.hpp"
 #include "geodrome/run_context.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "solver_chen_han/apex.hpp"
 #include "solver_chen_han/kept_windows.hpp"
-#include "solver_chen_han/labels.hpp"
 #include "solver_chen_han/settings.hpp"
 #include "solver_chen_han/trimming.hpp"
 #include "solver_chen_han/wavefront.hpp"
@@ -27,13 +30,6 @@ struct Counts {
   std::uint64_t longest = 0;     ///< the longest list carried on
 };
 
-/// A point in a face whose distance is lowered while windows pass over it.
-struct Watched {
-  SurfacePoint at;  ///< with the face's number in the flat surface
-  double distance;
-  Index source;
-};
-
 /// Windows carried over a surface from its sources, half-edge by half-edge, nearest first (Chen and Han 1990, Xin and
 /// Wang 2009, whole lists at a time as in Qin et al. 2016). All distances are those of the flat surface, and so are the
 /// numbers of faces and vertices. Used again and again: a run costs what it reaches.
@@ -44,6 +40,16 @@ struct Watched {
 /// many paths, and a vertex emits again only for a shorter one.
 class Propagation {
  public:
+  using Settings = chen_han::Settings;
+
+  /// The shortest way through a kept window to a point, which is at (x, y) in the frame of the window's half-edge; none
+  /// as constructed.
+  struct Way {
+    double distance = std::numeric_limits<double>::infinity();
+    Index source = no_index, window = no_index;
+    double x = 0, y = 0;
+  };
+
   Propagation(const FlatSurface& surface, const Settings& settings);
 
   /// Forgets the last run. With `keep` all windows that are carried on are kept.
@@ -63,11 +69,18 @@ class Propagation {
     }
   }
 
-  /// The number of the source that the windows of an origin come from.
-  Index source_of(Index origin) const;
   const Labels& labels() const { return labels_; }
-  const KeptWindows& kept() const { return kept_; }
-  const Counts& counts() const { return counts_; }
+
+  /// After a run with `keep`: the shortest way through a window to a point that is no vertex, none unless it is shorter
+  /// than `best`. O(windows of the face).
+  Way way_to(const SurfacePoint& inner, double best) const;
+  /// Appends the points of a way between the one it leads to and its source, without both, in the mesh's own numbers.
+  void trace(const Way& way, std::vector<SurfacePoint>& out) const;
+  /// The same from a vertex, which comes first; nothing if it is a source.
+  void trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const;
+
+  /// What the run took; the last is the memory.
+  std::array<Counter, 8> counters() const;
   std::size_t bytes() const;
 
  private:
@@ -79,6 +92,8 @@ class Propagation {
     std::size_t count;
   };
 
+  /// The number of the source that the windows of an origin come from.
+  Index source_of(Index origin) const;
   void choose_lanes();
   void next();
   void process(Index half_edge, Index block);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "solver_chen_han/bisector.hpp"
+#include "common/solvers/bisector.hpp"
 
 namespace geodrome::chen_han {
 namespace {
@@ -15,9 +15,6 @@ constexpr double none = std::numeric_limits<double>::infinity();
 
 /// What becomes of an ordered pair.
 enum class Pair { in_order, cut, drop_left, drop_right, tangled };
-
-/// Shorter by more than rounding.
-bool nearer(double a, double b) { return a < b - equal_share * b; }
 
 /// Brings an ordered pair of windows into order by the lemma, with nothing else known. Where the two are equally far up
 /// to rounding, as along the line from one through the other, no window is cut for the sake of one inside it: what
@@ -45,34 +42,6 @@ Pair settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std:
 }
 
 }  // namespace
-
-/// By the formula if it holds, otherwise by regula falsi (Illinois), which keeps the root between its ends.
-double equal_place(const Window& a, const Window& b, double low, double high) {
-  const double formula = bisector_place(a.x, -a.y, a.sigma, b.x, -b.y, b.sigma);
-  if (low <= formula && formula <= high) {
-    const double distance = a.at(formula);
-    if (std::abs(distance - b.at(formula)) <= equal_share * distance) return formula;
-  }
-  double at_low = a.at(low) - b.at(low), at_high = a.at(high) - b.at(high);
-  int side = 0;
-  for (int step = 0;; ++step) {
-    const double middle = low + 0.5 * (high - low);
-    if (!(low < middle && middle < high)) return middle;
-    const double secant = low + (high - low) * (at_low / (at_low - at_high));
-    const double x = step < 50 && low < secant && secant < high ? secant : middle;
-    const double distance = a.at(x), gap = distance - b.at(x);
-    if (std::abs(gap) <= equal_share * distance) return x;
-    if ((gap < 0) == (at_low < 0)) {
-      low = x, at_low = gap;
-      if (side == -1) at_high *= 0.5;
-      side = -1;
-    } else {
-      high = x, at_high = gap;
-      if (side == 1) at_low *= 0.5;
-      side = 1;
-    }
-  }
-}
 
 std::size_t Trimming::trim(const WindowArrays& w, std::size_t count, std::vector<std::uint32_t>& breaks) {
   breaks.clear();

@@ -53,7 +53,4 @@ class Trimming {
   std::uint64_t dropped_ = 0;
 };
 
-/// Where windows a and b are equally far, a place in [low, high]: a is nearer at one end, b at the other.
-double equal_place(const Window& a, const Window& b, double low, double high);
-
 }  // namespace geodrome::chen_han

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "plugins/common/solvers/bisector.hpp"
 #include "plugins/solver_chen_han/trimming.hpp"
 #include "property/window_scenes.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "plugins/solver_chen_han/bisector.hpp"
+#include "plugins/common/solvers/bisector.hpp"
 #include "plugins/solver_chen_han/windows.hpp"
 #include "tools/shapes/random.hpp"
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +39,10 @@ class FlatSurface {
 
   Index from(Index h) const { return faces_[h / 3].vertex[h % 3]; }
   double length(Index h) const { return faces_[h / 3].length[h % 3]; }
+
+  double longest_side(Index f) const {
+    return std::max({faces_[f].length[0], faces_[f].length[1], faces_[f].length[2]});
+  }
 
   /// Calls `visit(other, mirrored)` for every other half-edge on the edge of `h`: none on the boundary, one inside,
   /// more where more than two faces meet. Mirrored: both run the same way.

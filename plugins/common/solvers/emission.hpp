@@ -3,14 +3,14 @@
 
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "solver_chen_han/labels.hpp"
+#include "plugins/common/solvers/flat_surface.hpp"
+#include "plugins/common/solvers/labels.hpp"
 
-namespace geodrome::chen_han {
+namespace geodrome {
 
 /// The faces into which a vertex with this label sends windows, each as the half-edge that starts at the vertex: all
 /// for a source and where the surface is irregular; at a saddle those with directions that make an angle of at least
 /// pi, on both sides, with the way that came in; none at a smooth vertex. Replaces `out`. O(degree).
 void corners_that_emit(const FlatSurface& surface, Index vertex, const Label& label, std::vector<Index>& out);
 
-}  // namespace geodrome::chen_han
+}  // namespace geodrome

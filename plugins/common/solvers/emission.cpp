@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/emission.hpp"
+#include "plugins/common/solvers/emission.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace geodrome::chen_han {
+namespace geodrome {
 namespace {
 
 /// Directions are widened by this angle (rad): more than the error of the direction of the way that came in. A window
@@ -65,4 +65,4 @@ void corners_that_emit(const FlatSurface& surface, Index vertex, const Label& la
   }
 }
 
-}  // namespace geodrome::chen_han
+}  // namespace geodrome

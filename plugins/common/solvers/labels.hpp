@@ -6,7 +6,7 @@
 
 #include "geodrome/geometry.hpp"
 
-namespace geodrome::chen_han {
+namespace geodrome {
 
 /// An angle as a unit vector, so that turning costs no trigonometry.
 struct Angle {
@@ -35,13 +35,9 @@ struct Label {
   bool all_sides() const { return side.cosine == 0 && side.sine == 0; }
 };
 
-/// How a path goes on from a vertex: through a kept window, along an edge to another vertex, or (neither) straight to
-/// its source.
-struct Step {
-  Index window = no_index, vertex = no_index;
-};
-
-/// The labels of all vertices, and their steps if paths are wanted. Forgetting costs what was touched.
+/// The labels of all vertices, and their steps if paths are wanted: a solver's own `Step`, default constructible, says
+/// how a path goes on from a vertex. Forgetting costs what was touched.
+template <class Step>
 class Labels {
  public:
   explicit Labels(std::size_t vertex_count) : labels_(vertex_count) {}
@@ -79,4 +75,4 @@ class Labels {
   bool with_steps_ = false;
 };
 
-}  // namespace geodrome::chen_han
+}  // namespace geodrome
