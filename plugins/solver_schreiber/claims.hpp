@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "solver_schreiber/generator.hpp"
+
+namespace geodrome::schreiber {
+
+/// What a generator has of a half-edge.
+struct Claim {
+  double low, high;
+  bool empty() const { return !(low < high); }
+};
+inline Claim claim_of(const Generator& g, double length) { return {g.low(length), g.high(length)}; }
+
+/// What becomes of a pair in order.
+enum class Order { apart, cut, drop_left, drop_right };
+
+/// Cuts the claims of neighbours in order against each other, with nothing else known. Where the two are equally far up
+/// to rounding, as along the line from one through the other, no claim is cut for the sake of one inside it: what
+/// rounding would then take from it nothing else would cover.
+Order settle(const Generator& left, Claim& l, const Generator& right, Claim& r);
+
+}  // namespace geodrome::schreiber

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+#include "solver_schreiber/front.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "common/solvers/bisector.hpp"
+#include "solver_schreiber/claims.hpp"
+
+namespace geodrome::schreiber {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Whether generator i has nothing of the half-edge between its neighbours.
+bool is_dead(const Front& front, std::size_t i, double length) {
+  const Generator g = front[i];
+  Claim claim = claim_of(g, length);
+  if (g.is_sliver() || claim.empty()) return true;
+  if (i > 0) {
+    const Generator left = front[i - 1];
+    Claim other = claim_of(left, length);
+    if (settle(left, other, g, claim) == Order::drop_right || claim.empty()) return true;
+  }
+  if (i + 1 < front.size()) {
+    const Generator right = front[i + 1];
+    Claim other = claim_of(right, length);
+    if (settle(g, claim, right, other) == Order::drop_left || claim.empty()) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+void FrontEditor::renew_key(Front& front, std::size_t i) {
+  const std::size_t count = front.size();
+  if (i >= count) return;
+  Generator left, right;
+  if (i > 0) left = front[i - 1];
+  if (i + 1 < count) right = front[i + 1];
+  front.set_key(i, lifetime(i > 0 ? &left : nullptr, front[i], i + 1 < count ? &right : nullptr));
+}
+
+void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
+  ++counts_.events;
+  const Generator gone = front[i].moved(before.back);
+  front.erase(i);
+  const auto turned = [&](double& dx, double& dy) { std::tie(dx, dy) = before.back.turn_back(dx, dy); };
+  if (i > 0) {
+    Generator left = front[i - 1].moved(before.back);
+    Claim l = claim_of(left, before.length), r = claim_of(gone, before.length);
+    if (settle(left, l, gone, r) == Order::cut) {
+      left.set_high(l.high, 0);
+      turned(left.high_x, left.high_y);
+      set_high(front, i - 1, left);
+    }
+  }
+  if (i < front.size()) {
+    Generator right = front[i].moved(before.back);
+    Claim l = claim_of(gone, before.length), r = claim_of(right, before.length);
+    if (settle(gone, l, right, r) == Order::cut) {
+      right.set_low(r.low, 0);
+      turned(right.low_x, right.low_y);
+      set_low(front, i, right);
+    }
+  }
+  if (i > 0) renew_key(front, i - 1);
+  renew_key(front, i);
+}
+
+/// The ray of `g`, in the frame of the front, becomes that of generator i.
+void FrontEditor::set_low(Front& front, std::size_t i, const Generator& g) {
+  front.update(i, [&](Generator& stored, const Motion& motion) {
+    std::tie(stored.low_x, stored.low_y) = motion.turn_back(g.low_x, g.low_y);
+  });
+}
+void FrontEditor::set_high(Front& front, std::size_t i, const Generator& g) {
+  front.update(i, [&](Generator& stored, const Motion& motion) {
+    std::tie(stored.high_x, stored.high_y) = motion.turn_back(g.high_x, g.high_y);
+  });
+}
+
+void FrontEditor::aim_low(Front& front, std::size_t i, Generator g, double px, double py) {
+  g.set_low(px, py);
+  set_low(front, i, g);
+}
+void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, double py) {
+  g.set_high(px, py);
+  set_high(front, i, g);
+}
+
+void FrontEditor::bury(Front& front, double length, double until, const Before& before) {
+  for (std::size_t i = 0; (i = front.first_key_at_most(until, i)) < front.size();) {
+    if (!is_dead(front, i, length)) {
+      ++i;
+      continue;
+    }
+    remove(front, i, before);
+    i = i > 0 ? i - 1 : 0;
+  }
+}
+
+void FrontEditor::join(Front& left, Front right, double length) {
+  while (!left.empty() && !right.empty()) {
+    const std::size_t end = left.size() - 1;
+    Generator a = left[end], b = right[0];
+    Claim l = claim_of(a, length), r = claim_of(b, length);
+    const Order order = settle(a, l, b, r);
+    const bool cut = order == Order::cut;
+    if (cut) a.set_high(l.high, 0), b.set_low(r.low, 0);
+    if (order == Order::drop_left || l.empty() || a.is_sliver() ||
+        (cut && end > 0 && !right_has(left[end - 1], a, l.high, 0))) {
+      remove(left, end, {{}, length});
+    } else if (order == Order::drop_right || r.empty() || b.is_sliver() ||
+               (cut && right.size() > 1 && right_has(b, right[1], r.low, 0))) {
+      remove(right, 0, {{}, length});
+    } else {
+      if (cut) set_high(left, end, a), set_low(right, 0, b);
+      break;
+    }
+  }
+  if (right.empty()) return;
+  if (left.empty()) return left.swap(right);
+  const std::size_t seam = left.size();
+  left.append(std::move(right));
+  ++counts_.joins;
+  renew_key(left, seam - 1);
+  renew_key(left, seam);
+}
+
+Front FrontEditor::trimmed(const Front& front, double length) { return front_of(pieces(front, length, 0)); }
+
+namespace {
+
+/// Whether the last ray of `left` and the first one of `right` cross before the half-edge.
+bool cross_before(const Generator& left, const Generator& right, double length) {
+  const double turn = left.high_x * right.low_y - left.high_y * right.low_x;
+  // At the ray of a pseudo-source and the one behind it both are equally far; a place where rounding finds them so
+  // makes a ray that is off by this angle: r (1 - cos) is below the rounding of the distance.
+  const double x = left.high(length), r = std::min(std::hypot(left.x - x, left.y), std::hypot(right.x - x, right.y));
+  if (!(turn < -2 * std::sqrt(2 * equal_share * left.at(x) / r))) return false;
+  const double gap_x = right.x - left.x, gap_y = right.y - left.y;
+  const double on_left = (gap_x * right.low_y - gap_y * right.low_x) / turn;
+  const double on_right = (gap_x * left.high_y - gap_y * left.high_x) / turn;
+  if (!(on_left > 0 && on_right > 0)) return false;
+  return left.y + on_left * left.high_y < 0 || left.high(length) == right.low(length);
+}
+
+}  // namespace
+
+std::vector<Front> FrontEditor::put_in_order(Front front, double length) {
+  std::vector<Front> fronts;
+  for (std::size_t i = 1; i < front.size();) {
+    const Generator left = front[i - 1], right = front[i];
+    if (!cross_before(left, right, length)) {
+      ++i;
+      continue;
+    }
+    const double x = right.low(length);
+    if (left.high(length) < x) {  // a gap: nothing to compare
+      Front rest = front.split(i);
+      renew_key(front, i - 1);
+      renew_key(rest, 0);
+      fronts.push_back(std::move(front));
+      front = std::move(rest);
+      i = 1;
+      continue;
+    }
+    const bool left_goes = !nearer(left.at(x), right.at(x)), right_goes = !nearer(right.at(x), left.at(x));
+    if (right_goes) front.erase(i);
+    if (left_goes) front.erase(i - 1);
+    counts_.events += left_goes + right_goes;
+    const std::size_t next = left_goes ? i - 1 : i;
+    if (next > 0) renew_key(front, next - 1);
+    renew_key(front, next);
+    i = std::max<std::size_t>(1, next > 0 ? next - 1 : 0);
+  }
+  if (!front.empty()) fronts.push_back(std::move(front));
+  return fronts;
+}
+
+FrontEditor::Pieces FrontEditor::pieces(const Front& front, double length, std::size_t first_name) const {
+  Pieces result;
+  front.for_each([&](const Generator& g) {
+    Claim claim = claim_of(g, length);
+    const std::size_t name = first_name++;
+    while (!result.empty()) {
+      Piece& last = result.back();
+      Claim before{last.low, last.high};
+      const Order order = settle(last.generator, before, g, claim);
+      if (order == Order::drop_right || claim.empty()) return;
+      last.high = before.high;
+      if (order != Order::drop_left && !before.empty()) break;
+      result.pop_back();
+    }
+    if (!claim.empty()) result.push_back({g, claim.low, claim.high, name});
+  });
+  return result;
+}
+
+Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
+  Front front(pool_);
+  for (const Piece& piece : pieces) {
+    Generator g = piece.generator;
+    g.set_low(piece.low, 0), g.set_high(piece.high, 0);
+    if (g.is_sliver()) continue;
+    front.append(Front(pool_, g));
+  }
+  for (std::size_t i = 0; i < front.size(); ++i) renew_key(front, i);
+  return front;
+}
+
+namespace {
+
+/// The lower envelope as it grows from left to right; pieces of one generator that touch are one.
+template <class Piece>
+class Envelope {
+ public:
+  std::vector<Piece> pieces;
+
+  void add(const Piece& piece, double low, double high) {
+    if (!(low < high)) return;
+    if (!pieces.empty() && pieces.back().name == piece.name && pieces.back().high == low) {
+      pieces.back().high = high;
+      return;
+    }
+    pieces.push_back(piece);
+    pieces.back().low = low, pieces.back().high = high;
+  }
+
+  /// The nearer of two, everywhere in [low, high]. |a x| - |b x| has one stationary point along a line, where that of
+  /// the images meets it; before and behind it the two change places at most once.
+  void add_nearer(const Piece& a, const Piece& b, double low, double high) {
+    const Generator &g = a.generator, &h = b.generator;
+    const double turn = h.x + (g.x - h.x) * (h.y / (h.y - g.y));
+    if (low < turn && turn < high) {
+      add_monotone(a, b, low, turn);
+      low = turn;
+    }
+    add_monotone(a, b, low, high);
+  }
+
+ private:
+  void add_monotone(const Piece& a, const Piece& b, double low, double high) {
+    const double at_low = a.generator.at(low) - b.generator.at(low);
+    const double at_high = a.generator.at(high) - b.generator.at(high);
+    const bool a_first = at_low < 0 || (at_low == 0 && at_high <= 0);
+    const bool a_last = at_high < 0 || (at_high == 0 && at_low <= 0);
+    const double x = a_first == a_last ? high : equal_place(a.generator, b.generator, low, high);
+    add(a_first ? a : b, low, x);
+    add(a_last ? a : b, x, high);
+  }
+};
+
+/// Two lists of pieces in order cut against each other.
+template <class Piece>
+std::vector<Piece> nearest(const std::vector<Piece>& a, const std::vector<Piece>& b) {
+  Envelope<Piece> envelope;
+  double x = -infinity;
+  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
+    const double low_a = i < a.size() ? std::max(a[i].low, x) : infinity;
+    const double low_b = j < b.size() ? std::max(b[j].low, x) : infinity;
+    const double high_a = i < a.size() ? a[i].high : infinity, high_b = j < b.size() ? b[j].high : infinity;
+    if (i < a.size() && !(low_a < high_a)) {
+      ++i;
+    } else if (j < b.size() && !(low_b < high_b)) {
+      ++j;
+    } else if (low_a < low_b) {
+      x = std::min(high_a, low_b);
+      envelope.add(a[i], low_a, x);
+    } else if (low_b < low_a) {
+      x = std::min(high_b, low_a);
+      envelope.add(b[j], low_b, x);
+    } else {
+      x = std::min(high_a, high_b);
+      envelope.add_nearer(a[i], b[j], low_a, x);
+    }
+  }
+  return envelope.pieces;
+}
+
+}  // namespace
+
+void FrontEditor::merge(Front& front, const Front& other, double length) {
+  ++counts_.envelopes;
+  front = front_of(nearest(pieces(front, length, 0), pieces(other, length, front.size())));
+}
+
+Front FrontEditor::mirrored(const Front& front, double length) {
+  std::vector<Generator> reversed;
+  front.for_each([&](const Generator& g) { reversed.push_back(g.mirrored(length)); });
+  Front result(pool_);
+  for (auto g = reversed.rbegin(); g != reversed.rend(); ++g) result.append(Front(pool_, *g));
+  return result;
+}
+
+}  // namespace geodrome::schreiber

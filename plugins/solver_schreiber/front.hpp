@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver_schreiber/generator.hpp"
+#include "solver_schreiber/sequence.hpp"
+
+namespace geodrome::schreiber {
+
+/// A wavefront that enters a face through a half-edge: generators in the order of their rays, which cross neither in
+/// the face below nor on the half-edge. Boundaries between neighbours are not stored: they are where the nearer one
+/// changes.
+using Front = Sequence<Generator>;
+using FrontPool = Front::Pool;
+
+/// What happened to fronts.
+struct FrontCounts {
+  std::uint64_t events = 0;     ///< generators that died between their neighbours or at a seam
+  std::uint64_t joins = 0;      ///< fronts joined
+  std::uint64_t splits = 0;     ///< fronts split at a vertex
+  std::uint64_t envelopes = 0;  ///< fronts of no common order, cut against each other point by point
+};
+
+/// The operations on fronts where they cross a half-edge of a given length, in its frame. All of them drop generators,
+/// or leave it to a neighbour to have a place, by one lemma only:
+///
+///   Let the rays of generators L and R enter the face below the half-edge so that those of L enter to the left of
+///   those of R. If at a point x that a ray of L reaches L is not farther than R (seen from x or not), then no ray of R
+///   to the left of x is needed. Likewise with left and right exchanged.
+///
+/// For the ray of R to y < x and that of L to x cross, at q: |R q| + |q x| >= |R x| >= |L x| = |L q| + |q x|.
+class FrontEditor {
+ public:
+  explicit FrontEditor(FrontPool& pool) : pool_(pool) {}
+
+  /// Computes the key of generator i, if there is one, after a neighbour of it changed.
+  void renew_key(Front& front, std::size_t i);
+
+  /// A half-edge that a front comes from.
+  struct Before {
+    Motion back;  ///< to its frame
+    double length;
+  };
+  /// Removes generator i, which still had something of the half-edge `before`. What its neighbours had of that stays
+  /// all that they have: beyond their boundaries with the one removed that was as near, and only its own rays are known
+  /// to pass the vertices on their side.
+  void remove(Front& front, std::size_t i, const Before& before);
+
+  /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
+  /// keys up to `until` can have.
+  void bury(Front& front, double length, double until, const Before& before);
+
+  /// Turns a ray of generator i, which is `g`, to a point.
+  static void aim_low(Front& front, std::size_t i, Generator g, double px, double py);
+  static void aim_high(Front& front, std::size_t i, Generator g, double px, double py);
+
+  /// A front whose rays are bounded by what its generators have of a half-edge. O(n).
+  Front trimmed(const Front& front, double length);
+
+  /// Of a merged front, fronts whose rays enter the face below in the order in which they meet the half-edge. Where
+  /// rays to one place enter the other way round, the lemma says which of the two is needless, or both.
+  std::vector<Front> put_in_order(Front front, double length);
+
+  /// Joins `right`, all rays of which enter to the right of those of `left`.
+  void join(Front& left, Front right, double length);
+
+  /// Two fronts of which no order is known: each has what is its own of the half-edge, which may come in pieces. O(n +
+  /// m).
+  void merge(Front& front, const Front& other, double length);
+
+  /// The generators in reversed order, seen from a half-edge that runs the other way.
+  Front mirrored(const Front& front, double length);
+
+  const FrontCounts& counts() const { return counts_; }
+  FrontCounts& counts() { return counts_; }
+
+ private:
+  struct Piece {
+    Generator generator;
+    double low, high;
+    std::size_t name;
+  };
+  using Pieces = std::vector<Piece>;
+  Pieces pieces(const Front& front, double length, std::size_t first_name) const;
+  Front front_of(const std::vector<Piece>& pieces);
+
+  static void set_low(Front& front, std::size_t i, const Generator& g);
+  static void set_high(Front& front, std::size_t i, const Generator& g);
+
+  FrontPool& pool_;
+  FrontCounts counts_;
+};
+
+}  // namespace geodrome::schreiber

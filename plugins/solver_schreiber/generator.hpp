@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "geodrome/geometry.hpp"
+#include "solver_schreiber/motion.hpp"
+
+namespace geodrome::schreiber {
+
+/// A source image of a wavefront: a pseudo-source unfolded into the plane of a face, with the wedge between two rays
+/// that its straight paths stay in. Every point of the wedge is reached by a path that exists; where generators overlap
+/// the nearer one counts. In the frame of a half-edge images are at y <= 0 and wedges open upwards; `low` is the ray on
+/// the side of the half-edge's start.
+struct Generator {
+  double x, y, sigma;     ///< the image; the distance travelled before it
+  double low_x, low_y;    ///< unit direction
+  double high_x, high_y;  ///< unit direction
+  double key;             ///< some ray of it is ahead of both neighbours until this distance at least
+  Index origin;           ///< the pseudo-source: a vertex, or `vertex count + i` for source i of the request
+
+  Generator moved(const Motion& motion) const {
+    Generator g = *this;
+    std::tie(g.x, g.y) = motion(x, y);
+    std::tie(g.low_x, g.low_y) = motion.turn(low_x, low_y);
+    std::tie(g.high_x, g.high_y) = motion.turn(high_x, high_y);
+    return g;
+  }
+  /// Seen from a half-edge of `length` that runs the other way, on the same side.
+  Generator mirrored(double length) const {
+    return {length - x, y, sigma, -high_x, high_y, -low_x, low_y, key, origin};
+  }
+
+  double to(double px, double py) const { return sigma + std::sqrt((px - x) * (px - x) + (py - y) * (py - y)); }
+  double at(double px) const { return to(px, 0); }
+
+  /// On which side of a ray a point is: not beyond it.
+  bool inside_low(double px, double py) const { return low_x * (py - y) - low_y * (px - x) <= 0; }
+  bool inside_high(double px, double py) const { return high_x * (py - y) - high_y * (px - x) >= 0; }
+  bool covers(double px, double py) const { return inside_low(px, py) && inside_high(px, py); }
+  /// Whether it has rays to the left or right of a point.
+  bool has_left(double px, double py) const { return low_x * (py - y) - low_y * (px - x) < 0; }
+  bool has_right(double px, double py) const { return high_x * (py - y) - high_y * (px - x) > 0; }
+
+  /// Whether its rays are one, but for rounding.
+  bool is_sliver() const {
+    return high_x * low_x + high_y * low_y > 0 &&
+           high_x * low_y - high_y * low_x <= 4 * std::numeric_limits<double>::epsilon();
+  }
+
+  /// Where the rays meet a half-edge of `length`, or its nearer end.
+  double low(double length) const { return place(low_x, low_y, length); }
+  double high(double length) const { return place(high_x, high_y, length); }
+
+  void set_low(double px, double py) { aim(low_x, low_y, px, py); }
+  void set_high(double px, double py) { aim(high_x, high_y, px, py); }
+
+ private:
+  double place(double dx, double dy, double length) const {
+    if (dy > 0) return std::clamp(x + dx * (-y / dy), 0.0, length);
+    return dx == 0 ? std::clamp(x, 0.0, length) : dx < 0 ? 0 : length;
+  }
+  /// A point at the image itself, but for rounding, leaves the ray as it is.
+  void aim(double& dx, double& dy, double px, double py) const {
+    constexpr double same_place = 1e-9;
+    const double size = std::hypot(px - x, py - y);
+    if (size > same_place * (std::abs(px) + std::abs(x) + std::abs(y))) dx = (px - x) / size, dy = (py - y) / size;
+  }
+};
+
+/// Whether the boundary between neighbours in order leaves a point on its right. Beyond the rays of both the point lies
+/// in a gap, which counts as the left one's.
+///
+/// Where only one of the two has a ray to the point, that ray may cross the other's wedge, and what counts is which is
+/// nearer where it does. That also tells whether the ray exists: wedges inside a front are wider than the free way
+/// between the vertices beside it, but the neighbour whose outermost ray passes such a vertex is nearer up to there.
+bool right_has(const Generator& left, const Generator& right, double px, double py);
+
+/// Lower bound of the distance at which `g` dies between its neighbours (nullptr: none on that side), all in one frame
+/// above whose line y = 0 the wavefront is. It is proved by a witness: a ray of g and the distance up to which neither
+/// neighbour is nearer on it; so no case that is missed or rounded can make it too large, beyond `same_line`.
+double lifetime(const Generator* left, const Generator& g, const Generator* right);
+
+}  // namespace geodrome::schreiber

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "common/solvers/flat_surface.hpp"
+#include "common/solvers/labels.hpp"
+#include "solver_schreiber/kept_fronts.hpp"
+
+namespace geodrome::schreiber {
+
+/// A source in a face, by its name there.
+struct SeededFace {
+  SurfacePoint at;
+  double start;
+};
+
+/// Follows kept fronts back to the source, face by face: in each the generator is looked up again, so that no error of
+/// a direction adds up and thin triangles do no harm. Points are appended with the mesh's own face numbers.
+class PathTracer {
+ public:
+  PathTracer(const FlatSurface& surface, const Labels<Step>& labels, const KeptFronts& kept,
+             const std::vector<SeededFace>& sources, std::vector<SurfacePoint>& out)
+      : surface_(surface), labels_(labels), kept_(kept), sources_(sources), out_(out) {}
+
+  /// From a vertex, which is appended first unless it is a source itself. O(faces crossed x generators of a front).
+  void from_vertex(Index vertex);
+  /// From a point of a half-edge, which is appended.
+  void from_crossing(const Step& step);
+
+ private:
+  /// How a path goes on from a point of a half-edge into a face below it: across another half-edge, or (none) straight
+  /// to a corner or a source in the face.
+  struct Onward {
+    double distance = std::numeric_limits<double>::infinity();
+    Index half_edge = no_index, vertex = no_index;
+    double crossing = 0;
+  };
+  Index follow(Step step);
+  void append(Index half_edge, double x);
+  Onward onward(Index half_edge, double x) const;
+  void look_below(Index half_edge, double x, Onward& best) const;
+
+  const FlatSurface& surface_;
+  const Labels<Step>& labels_;
+  const KeptFronts& kept_;
+  const std::vector<SeededFace>& sources_;
+  std::vector<SurfacePoint>& out_;
+};
+
+}  // namespace geodrome::schreiber

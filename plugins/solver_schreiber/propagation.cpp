@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: MIT
+#include "solver_schreiber/propagation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/solvers/bisector.hpp"
+#include "common/solvers/emission.hpp"
+#include "solver_schreiber/claimant.hpp"
+#include "solver_schreiber/claims.hpp"
+
+namespace geodrome::schreiber {
+namespace {
+
+/// A way is worse than another only if it is longer by this share: more than the rounding of any path, so that of two
+/// equal ways none is dropped for the other.
+constexpr double rounding = 1e-13;
+
+/// A vertex that is nearer to a pseudo-source than this share of an edge is in the same place. An image so near to a
+/// half-edge, between the ends of what it has of it: all its rays cross at nearly one place, which rounding does not
+/// tell apart any more. Such a generator goes on at once and alone, so that its rays are not bounded by places on that
+/// half-edge. (On faces without area the image lies on the half-edge.)
+constexpr double close_share = 1e-8;
+
+bool is_close(const Generator& g, double length) {
+  return -g.y <= close_share * length && g.low(length) < g.x && g.x < g.high(length);
+}
+
+/// A half-edge leaves the queue at the least distance of its front plus this share of its length: late enough that
+/// fronts of all sides have come, early enough that what depends on it need not be done again.
+constexpr double patience = 0.25;
+
+/// More than the rounding of the distance at which a generator dies.
+constexpr double event_margin = 1e-9;
+
+struct Ends {
+  double low, high, at_low, at_high;
+};
+Ends ends_of(const Front& front, double length) {
+  const Generator first = front.front(), last = front.back();
+  const double low = first.low(length), high = last.high(length);
+  return {low, high, first.at(low), last.at(high)};
+}
+
+}  // namespace
+
+Propagation::Propagation(const FlatSurface& surface, const Settings&)
+    : surface_(surface),
+      editor_(pool_),
+      labels_(surface.vertex_count()),
+      waiting_(3 * surface.face_count(), surface.vertex_count()),
+      times_passed_(3 * surface.face_count()) {}
+
+void Propagation::begin(bool keep, double limit) {
+  waiting_.clear();  // what a run that was stopped left behind
+  labels_.reset(keep);
+  keep_ = keep;
+  limit_ = limit;
+  kept_.reset();
+  if (keep) kept_.prepare(3 * surface_.face_count());
+  watched_.clear();
+  sources_.clear();
+  for (const Index h : passed_) times_passed_[h] = 0;
+  passed_.clear();
+  editor_.counts() = {};
+  counts_ = {};
+  nodes_before_ = pool_.nodes_made();
+}
+
+Index Propagation::source_of(Index origin) const {
+  const auto vertices = static_cast<Index>(surface_.vertex_count());
+  return origin < vertices ? labels_[origin].source : origin - vertices;
+}
+
+void Propagation::next() {
+  const WaitingFronts::Next next = waiting_.pop(arrivals_);
+  if (next.vertex != no_index)
+    emit(next.vertex);
+  else
+    process(next.half_edge);
+}
+
+/// Carries on what came to a half-edge as one front: one of each entry in their order, the others merged into them.
+void Propagation::process(Index half_edge) {
+  const double length = surface_.length(half_edge);
+  std::array<Arrival*, 3> ordered{};
+  others_.clear();
+  Index depth = no_index;
+  for (Arrival& arrival : arrivals_) {
+    depth = std::min(depth, arrival.depth);
+    const auto entry = static_cast<std::size_t>(arrival.entry);
+    if (arrival.entry == Entry::loose || ordered[entry])
+      others_.push_back(std::move(arrival.front));
+    else
+      ordered[entry] = &arrival;
+  }
+  Front front(pool_);
+  for (Arrival* arrival : ordered)
+    if (arrival) editor_.join(front, std::move(arrival->front), length);
+  arrivals_.clear();
+  if (others_.empty()) {
+    if (!front.empty()) pass(half_edge, std::move(front), depth);
+    return;
+  }
+  for (Front& other : others_) editor_.merge(front, other, length);
+  for (Front& run : editor_.put_in_order(std::move(front), length)) pass(half_edge, std::move(run), depth);
+}
+
+void Propagation::count_pass(Index half_edge, std::size_t generators) {
+  std::uint8_t& times = times_passed_[half_edge];
+  if (times == 0) passed_.push_back(half_edge);
+  counts_.repeated += times > 0;
+  if (times < 255) ++times;
+  counts_.most = std::max<std::uint64_t>(counts_.most, times);
+  ++counts_.passes;
+  counts_.carried += generators;
+  counts_.longest = std::max<std::uint64_t>(counts_.longest, generators);
+}
+
+/// Carries a front across the face of a half-edge.
+void Propagation::pass(Index half_edge, Front front, Index depth) {
+  const Apex apex(surface_, half_edge);
+  filter(front, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
+  if (front.empty()) return;
+  count_pass(half_edge, front.size());
+  if (keep_) kept_.keep(half_edge, front);
+  const Ends ends = ends_of(front, apex.length);
+  const double widest = surface_.longest_side(half_edge / 3);
+  // No point of the face that belongs to the front is farther; so nothing dies in it that does not die before.
+  const double until = (0.5 * (ends.at_low + ends.at_high + (ends.high - ends.low)) + widest) * (1 + event_margin);
+  if (!watched_.empty()) lower_watched(half_edge, front, until);
+  if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
+  const Split split = front.is_flat() ? split_flat(apex, front) : split_long(apex, front, until);
+  if (!split.in_order) return carry_one_by_one(apex, front, depth + 1, until);
+  lower_apex(apex, front, split);
+  carry_on(apex, std::move(front), split, depth + 1, until);
+}
+
+/// Xin and Wang's filter, and what follows from it: |image x| - x falls along the half-edge, so where the way over its
+/// start is shorter at x it is shorter at everything before x too; likewise at the end.
+void Propagation::filter(Front& front, double length, double at_start, double at_end) {
+  const auto longer = [](double way, double other) { return way > other + rounding * way; };
+  while (!front.empty()) {
+    const Generator g = front[0];
+    Claim claim = claim_of(g, length);
+    if (!longer(g.at(claim.low), at_start + claim.low)) break;
+    if (front.size() > 1) {
+      const Generator next = front[1];
+      Claim other = claim_of(next, length);
+      settle(g, claim, next, other);
+    }
+    if (!longer(g.at(claim.high), at_start + claim.high)) break;
+    editor_.remove(front, 0, {{}, length});
+  }
+  while (!front.empty()) {
+    const Generator g = front.back();
+    Claim claim = claim_of(g, length);
+    if (!longer(g.at(claim.high), at_end + (length - claim.high))) break;
+    if (front.size() > 1) {
+      const Generator next = front[front.size() - 2];
+      Claim other = claim_of(next, length);
+      settle(next, other, g, claim);
+    }
+    if (!longer(g.at(claim.low), at_end + (length - claim.low))) break;
+    editor_.remove(front, front.size() - 1, {{}, length});
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// At the apex
+
+/// The generator that has the apex, and those that are as near up to rounding, go on to both sides, all others to their
+/// own: one angle, one split. Those that died before the apex go. The front is out of order if one that did not has
+/// rays to the wrong side only.
+Propagation::Split Propagation::split_flat(const Apex& apex, Front& front) {
+  const double x = apex.x, y = apex.y;
+  const Claimant alive(front, x, y);
+  for (std::size_t place = front.size(), i = alive.count(); place-- > 0;) {
+    if (i > 0 && alive.place(i - 1) == place)
+      --i;
+    else
+      editor_.remove(front, place, {{}, apex.length});
+  }
+  Split split = around(alive.generator(), alive.owner(), alive.count(), apex, [&](std::size_t i) { return alive[i]; });
+  for (std::size_t i = 0; i < split.right_begin; ++i) split.in_order = split.in_order && alive[i].has_left(x, y);
+  for (std::size_t i = split.left_end; i < alive.count(); ++i)
+    split.in_order = split.in_order && alive[i].has_right(x, y);
+  return split;
+}
+
+/// The same by binary search. First go those that lose the apex to both neighbours: they died before it, and would lead
+/// the search astray. (By the lemma of FrontEditor, at the apex, neither side of them is needed.)
+Propagation::Split Propagation::split_long(const Apex& apex, Front& front, double until) {
+  const double x = apex.x, y = apex.y;
+  for (std::size_t i = 0; (i = front.first_key_at_most(until, i)) < front.size();) {
+    const bool inside = i > 0 && i + 1 < front.size();
+    if (inside && !right_has(front[i - 1], front[i], x, y) && right_has(front[i], front[i + 1], x, y)) {
+      editor_.remove(front, i, {{}, apex.length});
+      --i;
+    } else {
+      ++i;
+    }
+  }
+  const std::size_t owner = owner_by_search(front, x, y);
+  return around(front[owner], owner, front.size(), apex, [&](std::size_t i) { return front[i]; });
+}
+
+/// The split at generator `best`, to which the apex belongs if it has a ray to it.
+template <class Get>
+Propagation::Split Propagation::around(const Generator& g, std::size_t best, std::size_t count, const Apex& apex,
+                                       Get&& get) {
+  const double x = apex.x, y = apex.y;
+  if (!g.covers(x, y)) {
+    const std::size_t after = g.inside_high(x, y) ? best : best + 1;
+    return {after, after, false, true};
+  }
+  const double most = g.to(x, y) * (1 + equal_share);
+  const auto is_as_near = [&](const Generator& other) { return other.covers(x, y) && other.to(x, y) <= most; };
+  Split split{best + 1, best, true, true};
+  while (split.right_begin > 0 && is_as_near(get(split.right_begin - 1))) --split.right_begin;
+  while (split.left_end < count && is_as_near(get(split.left_end))) ++split.left_end;
+  return split;
+}
+
+/// Lowers the apex: by the generator that has it, by the ends of its neighbours' rays, and along the edges. A way that
+/// bends at the end of what a generator has of the half-edge exists as well; it is what keeps a vertex that lies in the
+/// gap between two generators, by rounding or behind a saddle too flat to count as one.
+void Propagation::lower_apex(const Apex& apex, const Front& front, const Split& split) {
+  std::size_t before = split.left_end, after = split.right_begin;
+  if (split.covered) {
+    for (std::size_t i = split.right_begin; i < split.left_end; ++i) {
+      const Generator g = front[i];
+      lower_apex_by(apex, g, g.x, g.to(apex.x, apex.y));
+    }
+    before = split.right_begin, after = split.left_end;
+  }
+  if (before > 0) lower_apex_bent(apex, front[before - 1]);
+  if (after < front.size()) lower_apex_bent(apex, front[after]);
+  lower_along_edges(apex);
+}
+
+void Propagation::lower_along_edges(const Apex& apex) {
+  const double by_start = labels_.distance(apex.start()) + apex.left_length();
+  const double by_end = labels_.distance(apex.end()) + apex.right_length();
+  if (label_is_lower(apex.vertex(), by_start))
+    lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {.vertex = apex.start()});
+  if (label_is_lower(apex.vertex(), by_end))
+    lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source}, {.vertex = apex.end()});
+}
+
+void Propagation::lower_apex_bent(const Apex& apex, const Generator& g) {
+  if (g.covers(apex.x, apex.y)) return;
+  const double x = g.inside_high(apex.x, apex.y) ? g.low(apex.length) : g.high(apex.length);
+  lower_apex_by(apex, g, x, g.at(x) + std::sqrt((apex.x - x) * (apex.x - x) + apex.y * apex.y));
+}
+
+/// By a generator, coming from its image, or from (x, 0) if the way bends there.
+void Propagation::lower_apex_by(const Apex& apex, const Generator& g, double x, double distance) {
+  const Index vertex = apex.vertex();
+  const bool all_sides = distance - g.sigma <= close_share * apex.length;
+  if (!label_is_lower(vertex, distance)) {
+    const double present = labels_.distance(vertex);
+    if (!all_sides || labels_[vertex].all_sides() || distance > present * (1 + equal_share)) return;
+    labels_.widen(vertex);
+    return waiting_.push_vertex(vertex, present);
+  }
+  const double climb = apex.y - g.y;
+  const double straight = climb > 0 ? g.x + (apex.x - g.x) * (-g.y / climb) : apex.x;
+  const bool bends = x != g.x;
+  Angle side = all_sides ? no_angle : Angle{};
+  if (!all_sides && surface_.kind(vertex) != FlatSurface::VertexKind::smooth) {
+    const bool by_bend = bends && std::hypot(x - apex.x, apex.y) > close_share * apex.length;
+    side = by_bend ? apex.side(x - apex.x, -apex.y) : apex.side(g.x - apex.x, g.y - apex.y);
+  }
+  lower(vertex, {distance, side, apex.left(), source_of(g.origin)},
+        {bends ? x : std::clamp(straight, 0.0, apex.length), apex.half_edge});
+}
+
+void Propagation::lower(Index vertex, const Label& label, const Step& step) {
+  labels_.set(vertex, label, step);
+  if (label.corner == no_index || label.all_sides() || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
+    waiting_.push_vertex(vertex, label.distance);
+}
+
+void Propagation::lower_watched(Index half_edge, const Front& front, double until) {
+  const Index face = half_edge / 3;
+  auto it =
+      std::lower_bound(watched_.begin(), watched_.end(), face, [](const Watched& w, Index f) { return w.at.face < f; });
+  for (; it != watched_.end() && it->at.face == face; ++it) {
+    const auto [px, py] = surface_.in_frame(half_edge, it->at.b);
+    const Generator g = owner_at(front, px, py, until);
+    const double way = way_through(g, surface_.length(half_edge), px, py, it->distance).distance;
+    if (way < it->distance) it->distance = way, it->source = source_of(g.origin);
+  }
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Across a face
+
+void Propagation::carry_on(const Apex& apex, Front front, const Split& split, Index depth, double until) {
+  Front right = front.split(split.right_begin);
+  Front left = std::move(front);
+  if (split.covered) {
+    ++editor_.counts().splits;
+    for (std::size_t i = 0; i < split.left_end - split.right_begin; ++i) {
+      Generator g = right[i];
+      editor_.aim_low(right, i, g, apex.x, apex.y);
+      g.set_high(apex.x, apex.y);
+      left.append(Front(pool_, g));
+    }
+    for (std::size_t i = split.right_begin; i < split.left_end; ++i) editor_.renew_key(left, i);
+    for (std::size_t i = 0; i < split.left_end - split.right_begin; ++i) editor_.renew_key(right, i);
+  }
+  carry(apex, std::move(left), true, depth, until);
+  carry(apex, std::move(right), false, depth, until);
+}
+
+/// A front that is no longer in order at the apex: each generator, with what it has of the half-edge, on its own to the
+/// sides to which it has rays.
+void Propagation::carry_one_by_one(const Apex& apex, const Front& front, Index depth, double until) {
+  ++counts_.tangled;
+  const double x = apex.x, y = apex.y;
+  {
+    std::vector<Generator> all;
+    editor_.trimmed(front, apex.length).for_each([&](const Generator& g) { all.push_back(g); });
+    std::size_t best = all.size();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (!all[i].covers(x, y)) {
+        lower_apex_bent(apex, all[i]);
+        continue;
+      }
+      lower_apex_by(apex, all[i], all[i].x, all[i].to(x, y));
+      if (best == all.size() || all[i].to(x, y) < all[best].to(x, y)) best = i;
+    }
+    Front left(pool_), right(pool_);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      Generator g = all[i];
+      const bool covers = g.covers(x, y), as_near = covers && g.to(x, y) <= all[best].to(x, y) * (1 + equal_share);
+      if (g.has_left(x, y) && (!covers || i <= best || as_near)) {
+        if (covers) g.set_high(x, y);
+        left.append(Front(pool_, g));
+      }
+      g = all[i];
+      if (g.has_right(x, y) && (!covers || i >= best || as_near)) {
+        if (covers) g.set_low(x, y);
+        right.append(Front(pool_, g));
+      }
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) editor_.renew_key(left, i);
+    for (std::size_t i = 0; i < right.size(); ++i) editor_.renew_key(right, i);
+    carry(apex, std::move(left), true, depth, until);
+    carry(apex, std::move(right), false, depth, until);
+  }
+  lower_along_edges(apex);
+}
+
+/// Hands on what goes through the left or right edge of a face.
+void Propagation::carry(const Apex& apex, Front front, bool to_left, Index depth, double until) {
+  if (front.empty() || (to_left ? apex.left_is_boundary() : apex.right_is_boundary())) return;
+  const double cosine = apex.face.cosine[to_left ? apex.a : apex.b], sine = apex.face.sine[to_left ? apex.a : apex.b];
+  const Motion turn = to_left ? Motion{cosine, -sine, 0, 0}
+                              : Motion{cosine, sine, apex.right_length() - cosine * apex.length, -sine * apex.length};
+  front.move(turn);
+  editor_.bury(front, to_left ? apex.left_length() : apex.right_length(), until, {turn.inverse(), apex.length});
+  if (front.empty()) return;
+  hand_on(std::move(front), to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, depth);
+}
+
+/// Lets a front wait at every other half-edge on an edge. It is in the frame of one that runs against `edge`.
+void Propagation::hand_on(Front front, Index edge, Entry entry, Index depth) {
+  const double length = surface_.length(edge);
+  const Ends ends = ends_of(front, length);
+  const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
+  if (near * (1 - rounding) > limit_) return;
+  const bool at_once = front.size() == 1 && is_close(front[0], length);
+  if (surface_.is_fan(edge)) entry = Entry::loose;
+  surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
+    Entry own = entry;
+    if (mirrored && (entry == Entry::left || entry == Entry::right))
+      own = entry == Entry::left ? Entry::right : Entry::left;
+    if (at_once) return pass(half_edge, mirrored ? editor_.mirrored(front, length) : front, depth);
+    waiting_.push(half_edge, near + patience * length,
+                  {mirrored ? editor_.mirrored(front, length) : front, depth, own});
+  });
+}
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Sources and pseudo-sources
+
+void Propagation::emit(Index vertex) {
+  const Label label = labels_[vertex];
+  if (label.distance > limit_) return;
+  corners_that_emit(surface_, vertex, label, emitting_);
+  counts_.emissions += !emitting_.empty();
+  for (const Index corner : emitting_) emit_into(corner);
+}
+
+/// A front from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
+void Propagation::emit_into(Index corner) {
+  const Apex apex(surface_, SurfaceMesh::next(corner));  // its apex is the vertex
+  const Index vertex = apex.vertex();
+  const Label label = labels_[vertex];
+  const double by_left = label.distance + apex.left_length(), by_right = label.distance + apex.right_length();
+  if (label_is_lower(apex.start(), by_left))
+    lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {.vertex = vertex});
+  if (label_is_lower(apex.end(), by_right))
+    lower(apex.end(), {by_right, {}, apex.right(), label.source}, {.vertex = vertex});
+  emit_across(apex, apex.x, apex.y, label.distance, vertex, Entry::apex);
+}
+
+/// A front from a point (x, y) of a face across the half-edge of `apex`.
+void Propagation::emit_across(const Apex& apex, double x, double y, double sigma, Index origin, Entry entry) {
+  Generator g{apex.length - x, -y, sigma, -1, 0, 1, 0, std::numeric_limits<double>::infinity(), origin};
+  g.set_low(0, 0), g.set_high(apex.length, 0);
+  hand_on(Front(pool_, g), apex.half_edge, entry, 1);
+}
+
+void Propagation::seed(const Source& source, Index number) {
+  const SurfacePoint at = surface_.inner(source.at);
+  for (int i = 0; i < 3; ++i) {
+    if (at.b[i] != 1) continue;
+    const Index vertex = surface_.face(at.face).vertex[i];
+    if (label_is_lower(vertex, source.start)) lower(vertex, {source.start, {}, no_index, number}, {});
+    return;
+  }
+  surface_.for_each_name(at, [&](const SurfacePoint& here) { seed_face(here, source, number); });
+}
+
+/// A source in a face or on its edge: the corners, and fronts to the edges that it is not on.
+void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
+  const Index origin = static_cast<Index>(surface_.vertex_count()) + number;
+  sources_.push_back({at, source.start});
+  for (int i = 0; i < 3; ++i) {
+    const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
+    const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
+    const double away = std::sqrt(x * x + y * y), distance = source.start + away;
+    const Angle side = away > 0 ? Angle{x / away, y / away} : Angle{};
+    if (label_is_lower(apex.start(), distance)) lower(apex.start(), {distance, side, apex.half_edge, number}, {});
+    if (at.b[apex.c] == 0) continue;
+    emit_across(apex, x, y, source.start, origin, Entry::loose);
+  }
+}
+
+}  // namespace geodrome::schreiber

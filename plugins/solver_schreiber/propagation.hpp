@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/solvers/apex.hpp"
+#include "common/solvers/exact_search.hpp"
+#include "common/solvers/flat_surface.hpp"
+#include "common/solvers/labels.hpp"
+#include "geodrome/run_context.hpp"
+#include "solver_schreiber/front.hpp"
+#include "solver_schreiber/kept_fronts.hpp"
+#include "solver_schreiber/path_tracer.hpp"
+#include "solver_schreiber/waiting_fronts.hpp"
+
+namespace geodrome::schreiber {
+
+struct Settings {};
+
+struct Counts {
+  std::uint64_t passes = 0;     ///< fronts carried across a face
+  std::uint64_t repeated = 0;   ///< of these, through a half-edge that had been passed before
+  std::uint64_t most = 0;       ///< passes of one half-edge
+  std::uint64_t carried = 0;    ///< generators of all fronts carried
+  std::uint64_t longest = 0;    ///< generators of one front
+  std::uint64_t tangled = 0;    ///< fronts whose generators were carried one by one
+  std::uint64_t emissions = 0;  ///< times a vertex became a pseudo-source
+};
+
+/// Whole wavefronts carried over a surface from its sources, half-edge by half-edge, nearest first (Schreiber 2010).
+/// All distances are those of the flat surface, and so are the numbers of faces and vertices. Used again and again: a
+/// run costs what it reaches.
+///
+/// Why distances are exact: a generator's wedge holds straight paths that exist, so none is too short; a generator, or
+/// the part of its wedge on one side of a vertex, is dropped only by the lemma of FrontEditor or where a way over a
+/// vertex is shorter, so the shortest path is never dropped. Why it ends: a shortest path crosses no face twice, so
+/// fronts deeper than the number of faces are dropped; then there are finitely many paths, and a vertex emits again
+/// only for a shorter one.
+class Propagation {
+ public:
+  using Settings = schreiber::Settings;
+  using Way = KeptFronts::Way;
+
+  Propagation(const FlatSurface& surface, const Settings& settings);
+
+  /// Forgets the last run. With `keep` all fronts that are carried on are kept.
+  void begin(bool keep, double limit);
+  void seed(const Source& source, Index number);
+  /// To be lowered by `run`, in ascending order of faces.
+  std::vector<Watched>& watched() { return watched_; }
+  const std::vector<Watched>& watched() const { return watched_; }
+
+  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may give a new one.
+  template <class LowerLimit>
+  void run(const RunContext& context, LowerLimit&& lower_limit) {
+    for (std::uint64_t step = 0; !waiting_.empty(); ++step) {
+      if (step % poll_interval == 0) context.throw_if_cancelled();
+      if (step % poll_interval == poll_interval - 1) limit_ = std::min(limit_, lower_limit());
+      next();
+    }
+  }
+
+  /// The number of the source that the generators of an origin come from.
+  Index source_of(Index origin) const;
+  const Labels<Step>& labels() const { return labels_; }
+  Way way_to(const SurfacePoint& inner, double best) const;
+  void trace(const Way& way, std::vector<SurfacePoint>& out) const;
+  void trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const;
+
+  std::array<Counter, 13> counters() const;
+  std::size_t bytes() const;
+
+ private:
+  static constexpr std::uint64_t poll_interval = 256;
+
+  void next();
+  void process(Index half_edge);
+  void pass(Index half_edge, Front front, Index depth);
+  void filter(Front& front, double length, double at_start, double at_end);
+  void lower_watched(Index half_edge, const Front& front, double until);
+  void count_pass(Index half_edge, std::size_t generators);
+
+  bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
+  void lower(Index vertex, const Label& label, const Step& step);
+
+  struct Split {
+    std::size_t left_end, right_begin;  ///< generators [0, left_end) go on to the left, [right_begin, end) to the right
+    bool covered;                       ///< those in both have the apex
+    bool in_order;
+  };
+  Split split_flat(const Apex& apex, Front& front);
+  Split split_long(const Apex& apex, Front& front, double until);
+  template <class Get>
+  static Split around(const Generator& g, std::size_t best, std::size_t count, const Apex& apex, Get&& get);
+  void lower_apex(const Apex& apex, const Front& front, const Split& split);
+  void lower_along_edges(const Apex& apex);
+  void lower_apex_by(const Apex& apex, const Generator& g, double x, double distance);
+  void lower_apex_bent(const Apex& apex, const Generator& g);
+
+  void carry_on(const Apex& apex, Front front, const Split& split, Index depth, double until);
+  void carry_one_by_one(const Apex& apex, const Front& front, Index depth, double until);
+  void carry(const Apex& apex, Front front, bool to_left, Index depth, double until);
+  void hand_on(Front front, Index edge, Entry entry, Index depth);
+
+  void emit(Index vertex);
+  void emit_into(Index corner);
+  void emit_across(const Apex& apex, double x, double y, double sigma, Index origin, Entry entry);
+  void seed_face(const SurfacePoint& at, const Source& source, Index number);
+
+  const FlatSurface& surface_;
+  FrontPool pool_;
+  FrontEditor editor_;
+  Labels<Step> labels_;
+  WaitingFronts waiting_;
+  KeptFronts kept_;
+  std::vector<Watched> watched_;
+  std::vector<SeededFace> sources_;
+  std::vector<Index> emitting_;
+  std::vector<Arrival> arrivals_;
+  std::vector<Front> others_;
+  std::vector<std::uint8_t> times_passed_;  ///< of each half-edge, up to 255
+  std::vector<Index> passed_;               ///< half-edges with a number above 0
+  bool keep_ = false;
+  double limit_ = 0;
+  Counts counts_;
+  std::uint64_t nodes_before_ = 0;
+};
+
+}  // namespace geodrome::schreiber

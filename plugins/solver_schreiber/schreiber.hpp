@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geodrome/options.hpp"
+#include "geodrome/shortest_path_solver.hpp"
+
+namespace geodrome {
+
+/// Exact distances by whole wavefronts in persistent trees: Schreiber (2010), after Schreiber and Sharir (2008).
+///
+/// Any mesh: open, non-manifold, unoriented, with faces without area. A search allocates only while it grows; a run
+/// costs what it reaches.
+class SchreiberSolver final : public ShortestPathSolver {
+ public:
+  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
+                                            paths | path_is_distance | factor_any_point;
+
+  explicit SchreiberSolver(const OptionValues&) {}
+
+  /// O(F log F). Throws CapabilityError for face weights.
+  std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;
+};
+
+}  // namespace geodrome

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "common/solvers/indexed_heap.hpp"
+#include "solver_schreiber/front.hpp"
+
+namespace geodrome::schreiber {
+
+/// Where a front entered the face below its half-edge, in the order in which rays cross the half-edge without crossing
+/// each other.
+enum class Entry : std::uint8_t {
+  left,   ///< through the edge at the start of the half-edge
+  apex,   ///< from the vertex opposite: a pseudo-source
+  right,  ///< through the edge at the end of the half-edge
+  loose   ///< in no order with others: from a source in the face, or across an edge of more than two faces
+};
+
+/// A front that waits at a half-edge.
+struct Arrival {
+  Front front;
+  Index depth;  ///< faces crossed since the pseudo-source, at least
+  Entry entry;
+};
+
+/// What waits: fronts at half-edges and vertices that are to emit, in a queue, nearest first.
+class WaitingFronts {
+ public:
+  WaitingFronts(std::size_t half_edge_count, std::size_t vertex_count)
+      : first_(half_edge_count, no_index), queue_(half_edge_count + vertex_count) {}
+
+  bool empty() const { return queue_.empty(); }
+
+  void push_vertex(Index vertex, double distance) { queue_.push(static_cast<Index>(first_.size()) + vertex, distance); }
+  void push(Index half_edge, double key, Arrival arrival) {
+    const Index slot = free_.empty() ? static_cast<Index>(slots_.size()) : free_.back();
+    if (free_.empty())
+      slots_.emplace_back();
+    else
+      free_.pop_back();
+    slots_[slot] = {std::move(arrival), first_[half_edge]};
+    first_[half_edge] = slot;
+    queue_.push(half_edge, key);
+  }
+
+  /// Takes the nearest: a half-edge, with what waited there in `arrivals`, the last come first, or a vertex.
+  struct Next {
+    Index half_edge = no_index, vertex = no_index;
+  };
+  Next pop(std::vector<Arrival>& arrivals) {
+    const Index element = queue_.pop();
+    arrivals.clear();
+    if (element >= first_.size()) return {no_index, element - static_cast<Index>(first_.size())};
+    for (Index slot = std::exchange(first_[element], no_index); slot != no_index; slot = slots_[slot].next) {
+      arrivals.push_back(std::move(slots_[slot].arrival));
+      free_.push_back(slot);
+    }
+    return {element, no_index};
+  }
+
+  /// Drops all that waits.
+  void clear() {
+    std::vector<Arrival> dropped;
+    while (!empty()) pop(dropped);
+  }
+
+  std::size_t bytes() const {
+    return queue_.bytes() + (first_.capacity() + free_.capacity()) * sizeof(Index) + slots_.capacity() * sizeof(Slot);
+  }
+
+ private:
+  struct Slot {
+    Arrival arrival;
+    Index next;
+  };
+  std::vector<Index> first_;  ///< slot of each half-edge
+  std::vector<Slot> slots_;
+  std::vector<Index> free_;
+  IndexedHeap queue_;  ///< half-edges, then vertices
+};
+
+}  // namespace geodrome::schreiber
