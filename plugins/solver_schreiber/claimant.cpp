@@ -3,20 +3,22 @@
 
 namespace geodrome::schreiber {
 
-/// The point is on the right of the boundaries before its owner and on the left of those behind. One that has the point
-/// on its left, as seen from its boundary with the generator before, and on its right, as seen from that behind, died.
+/// The owner has the point on the right of its boundary with the one before and on the left of that with the one
+/// behind. Where some died there can be several such; then what counts is which of those has it from the others.
 Claimant::Claimant(const Front& front, double px, double py) {
-  std::size_t place = 0;
-  front.for_each([&](const Generator& g) {
-    bool right = true;
-    while (!alive_.empty()) {
-      right = right_has(alive_.back().generator, g, px, py);
-      if (!right || alive_.back().right_of_before) break;
-      alive_.pop_back();
+  generators_.reserve(front.size());
+  front.for_each([this](const Generator& g) { generators_.push_back(g); });
+  std::size_t candidate = 0;
+  bool first = true;
+  for (std::size_t i = 0; i < generators_.size(); ++i) {
+    const bool is_last = i + 1 == generators_.size();
+    const bool goes_on = !is_last && right_has(generators_[i], generators_[i + 1], px, py);
+    if (!goes_on && candidate == i) {
+      if (first || right_has(generators_[owner_], generators_[i], px, py)) owner_ = i;
+      first = false;
     }
-    alive_.push_back({g, place++, alive_.empty() || right});
-  });
-  while (owner_ + 1 < alive_.size() && alive_[owner_ + 1].right_of_before) ++owner_;
+    if (goes_on) candidate = i + 1;
+  }
 }
 
 std::size_t owner_by_search(const Front& front, double px, double py) {
@@ -32,7 +34,10 @@ std::size_t owner_by_search(const Front& front, double px, double py) {
 }
 
 Generator owner_at(const Front& front, double px, double py, double until) {
-  if (front.is_flat() || front.least_key() <= until) return Claimant(front, px, py).generator();
+  if (front.is_flat() || front.least_key() <= until) {
+    const Claimant all(front, px, py);
+    return all[all.owner()];
+  }
   return front[owner_by_search(front, px, py)];
 }
 

@@ -14,20 +14,12 @@ class Claimant {
   /// O(n). Precondition: the front is not empty.
   Claimant(const Front& front, double px, double py);
 
-  const Generator& generator() const { return alive_[owner_].generator; }
-  /// Those that have not died, in order.
-  std::size_t count() const { return alive_.size(); }
-  const Generator& operator[](std::size_t i) const { return alive_[i].generator; }
-  std::size_t place(std::size_t i) const { return alive_[i].place; }
   std::size_t owner() const { return owner_; }
+  std::size_t size() const { return generators_.size(); }
+  const Generator& operator[](std::size_t i) const { return generators_[i]; }
 
  private:
-  struct Entry {
-    Generator generator;
-    std::size_t place;     // in the front
-    bool right_of_before;  // the point is on the right of its boundary with the entry before
-  };
-  std::vector<Entry> alive_;
+  std::vector<Generator> generators_;
   std::size_t owner_ = 0;
 };
 

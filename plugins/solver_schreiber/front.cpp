@@ -44,28 +44,34 @@ void FrontEditor::renew_key(Front& front, std::size_t i) {
 
 void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
   ++counts_.events;
+  const double length = before.length;
   const Generator gone = front[i].moved(before.back);
+  const bool was_first = i == 0, was_last = i + 1 == front.size();
   front.erase(i);
-  const auto turned = [&](double& dx, double& dy) { std::tie(dx, dy) = before.back.turn_back(dx, dy); };
-  if (i > 0) {
+  const auto turn_back = [&](double& dx, double& dy) { std::tie(dx, dy) = before.back.turn_back(dx, dy); };
+  if (!was_first) {
     Generator left = front[i - 1].moved(before.back);
-    Claim l = claim_of(left, before.length), r = claim_of(gone, before.length);
-    if (settle(left, l, gone, r) == Order::cut) {
+    Claim l = claim_of(left, length), r = claim_of(gone, length);
+    settle(left, l, gone, r);
+    if (was_last) l.high = std::min(l.high, gone.high(length));
+    if (left.has_right(l.high, 0)) {
       left.set_high(l.high, 0);
-      turned(left.high_x, left.high_y);
+      turn_back(left.high_x, left.high_y);
       set_high(front, i - 1, left);
     }
   }
-  if (i < front.size()) {
+  if (!was_last) {
     Generator right = front[i].moved(before.back);
-    Claim l = claim_of(gone, before.length), r = claim_of(right, before.length);
-    if (settle(gone, l, right, r) == Order::cut) {
+    Claim l = claim_of(gone, length), r = claim_of(right, length);
+    settle(gone, l, right, r);
+    if (was_first) r.low = std::max(r.low, gone.low(length));
+    if (right.has_left(r.low, 0)) {
       right.set_low(r.low, 0);
-      turned(right.low_x, right.low_y);
+      turn_back(right.low_x, right.low_y);
       set_low(front, i, right);
     }
   }
-  if (i > 0) renew_key(front, i - 1);
+  if (!was_first) renew_key(front, i - 1);
   renew_key(front, i);
 }
 
@@ -90,14 +96,38 @@ void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, 
   set_high(front, i, g);
 }
 
+void FrontEditor::fit(Front& front, double length) {
+  if (front.empty()) return;
+  const std::size_t end = front.size() - 1;
+  const Generator first = front[0];
+  if (first.has_left(0, 0)) {
+    aim_low(front, 0, first, 0, 0);
+    renew_key(front, 0);
+  }
+  const Generator last = front[end];
+  if (last.has_right(length, 0)) {
+    aim_high(front, end, last, length, 0);
+    renew_key(front, end);
+  }
+}
+
+/// In the order in which they can have died: one that died must not be taken for a neighbour of others.
 void FrontEditor::bury(Front& front, double length, double until, const Before& before) {
-  for (std::size_t i = 0; (i = front.first_key_at_most(until, i)) < front.size();) {
-    if (!is_dead(front, i, length)) {
-      ++i;
-      continue;
-    }
+  suspects_.clear();
+  const auto suspect = [&](std::size_t i) {
+    if (i < front.size() && front[i].key <= until) suspects_.push_back({front[i].key, i});
+  };
+  for (std::size_t i = 0; (i = front.first_key_at_most(until, i)) < front.size(); ++i) suspect(i);
+  while (!suspects_.empty()) {
+    const auto next = std::min_element(suspects_.begin(), suspects_.end());
+    const std::size_t i = next->second;
+    suspects_.erase(next);
+    if (!is_dead(front, i, length)) continue;
     remove(front, i, before);
-    i = i > 0 ? i - 1 : 0;
+    std::erase_if(suspects_, [i](const auto& other) { return other.second + 1 == i || other.second == i + 1; });
+    for (auto& other : suspects_) other.second -= other.second > i;
+    if (i > 0) suspect(i - 1);
+    suspect(i);
   }
 }
 
@@ -130,55 +160,6 @@ void FrontEditor::join(Front& left, Front right, double length) {
 }
 
 Front FrontEditor::trimmed(const Front& front, double length) { return front_of(pieces(front, length, 0)); }
-
-namespace {
-
-/// Whether the last ray of `left` and the first one of `right` cross before the half-edge.
-bool cross_before(const Generator& left, const Generator& right, double length) {
-  const double turn = left.high_x * right.low_y - left.high_y * right.low_x;
-  // At the ray of a pseudo-source and the one behind it both are equally far; a place where rounding finds them so
-  // makes a ray that is off by this angle: r (1 - cos) is below the rounding of the distance.
-  const double x = left.high(length), r = std::min(std::hypot(left.x - x, left.y), std::hypot(right.x - x, right.y));
-  if (!(turn < -2 * std::sqrt(2 * equal_share * left.at(x) / r))) return false;
-  const double gap_x = right.x - left.x, gap_y = right.y - left.y;
-  const double on_left = (gap_x * right.low_y - gap_y * right.low_x) / turn;
-  const double on_right = (gap_x * left.high_y - gap_y * left.high_x) / turn;
-  if (!(on_left > 0 && on_right > 0)) return false;
-  return left.y + on_left * left.high_y < 0 || left.high(length) == right.low(length);
-}
-
-}  // namespace
-
-std::vector<Front> FrontEditor::put_in_order(Front front, double length) {
-  std::vector<Front> fronts;
-  for (std::size_t i = 1; i < front.size();) {
-    const Generator left = front[i - 1], right = front[i];
-    if (!cross_before(left, right, length)) {
-      ++i;
-      continue;
-    }
-    const double x = right.low(length);
-    if (left.high(length) < x) {  // a gap: nothing to compare
-      Front rest = front.split(i);
-      renew_key(front, i - 1);
-      renew_key(rest, 0);
-      fronts.push_back(std::move(front));
-      front = std::move(rest);
-      i = 1;
-      continue;
-    }
-    const bool left_goes = !nearer(left.at(x), right.at(x)), right_goes = !nearer(right.at(x), left.at(x));
-    if (right_goes) front.erase(i);
-    if (left_goes) front.erase(i - 1);
-    counts_.events += left_goes + right_goes;
-    const std::size_t next = left_goes ? i - 1 : i;
-    if (next > 0) renew_key(front, next - 1);
-    renew_key(front, next);
-    i = std::max<std::size_t>(1, next > 0 ? next - 1 : 0);
-  }
-  if (!front.empty()) fronts.push_back(std::move(front));
-  return fronts;
-}
 
 FrontEditor::Pieces FrontEditor::pieces(const Front& front, double length, std::size_t first_name) const {
   Pieces result;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "solver_schreiber/generator.hpp"
@@ -48,6 +49,9 @@ class FrontEditor {
   /// to pass the vertices on their side.
   void remove(Front& front, std::size_t i, const Before& before);
 
+  /// Bounds the first and last ray by the ends of the half-edge: beyond them they pass its vertices on the wrong side.
+  void fit(Front& front, double length);
+
   /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
   /// keys up to `until` can have.
   void bury(Front& front, double length, double until, const Before& before);
@@ -58,10 +62,6 @@ class FrontEditor {
 
   /// A front whose rays are bounded by what its generators have of a half-edge. O(n).
   Front trimmed(const Front& front, double length);
-
-  /// Of a merged front, fronts whose rays enter the face below in the order in which they meet the half-edge. Where
-  /// rays to one place enter the other way round, the lemma says which of the two is needless, or both.
-  std::vector<Front> put_in_order(Front front, double length);
 
   /// Joins `right`, all rays of which enter to the right of those of `left`.
   void join(Front& left, Front right, double length);
@@ -91,6 +91,7 @@ class FrontEditor {
 
   FrontPool& pool_;
   FrontCounts counts_;
+  std::vector<std::pair<double, std::size_t>> suspects_;  ///< key and place of generators that can have died
 };
 
 }  // namespace geodrome::schreiber

@@ -98,12 +98,8 @@ void Propagation::process(Index half_edge) {
   for (Arrival* arrival : ordered)
     if (arrival) editor_.join(front, std::move(arrival->front), length);
   arrivals_.clear();
-  if (others_.empty()) {
-    if (!front.empty()) pass(half_edge, std::move(front), depth);
-    return;
-  }
   for (Front& other : others_) editor_.merge(front, other, length);
-  for (Front& run : editor_.put_in_order(std::move(front), length)) pass(half_edge, std::move(run), depth);
+  if (!front.empty()) pass(half_edge, std::move(front), depth);
 }
 
 void Propagation::count_pass(Index half_edge, std::size_t generators) {
@@ -130,7 +126,7 @@ void Propagation::pass(Index half_edge, Front front, Index depth) {
   const double until = (0.5 * (ends.at_low + ends.at_high + (ends.high - ends.low)) + widest) * (1 + event_margin);
   if (!watched_.empty()) lower_watched(half_edge, front, until);
   if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
-  const Split split = front.is_flat() ? split_flat(apex, front) : split_long(apex, front, until);
+  const Split split = split_at(apex, front, until);
   if (!split.in_order) return carry_one_by_one(apex, front, depth + 1, until);
   lower_apex(apex, front, split);
   carry_on(apex, std::move(front), split, depth + 1, until);
@@ -170,39 +166,29 @@ void Propagation::filter(Front& front, double length, double at_start, double at
 // At the apex
 
 /// The generator that has the apex, and those that are as near up to rounding, go on to both sides, all others to their
-/// own: one angle, one split. Those that died before the apex go. The front is out of order if one that did not has
-/// rays to the wrong side only.
-Propagation::Split Propagation::split_flat(const Apex& apex, Front& front) {
-  const double x = apex.x, y = apex.y;
-  const Claimant alive(front, x, y);
-  for (std::size_t place = front.size(), i = alive.count(); place-- > 0;) {
-    if (i > 0 && alive.place(i - 1) == place)
-      --i;
-    else
-      editor_.remove(front, place, {{}, apex.length});
-  }
-  Split split = around(alive.generator(), alive.owner(), alive.count(), apex, [&](std::size_t i) { return alive[i]; });
-  for (std::size_t i = 0; i < split.right_begin; ++i) split.in_order = split.in_order && alive[i].has_left(x, y);
-  for (std::size_t i = split.left_end; i < alive.count(); ++i)
-    split.in_order = split.in_order && alive[i].has_right(x, y);
-  return split;
+/// own: one angle, one split. If none can have died, by binary search.
+Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double until) {
+  if (front.is_flat() || front.least_key() <= until) return split_carefully(apex, front);
+  const std::size_t owner = owner_by_search(front, apex.x, apex.y);
+  return around(front[owner], owner, front.size(), apex, [&](std::size_t i) { return front[i]; });
 }
 
-/// The same by binary search. First go those that lose the apex to both neighbours: they died before it, and would lead
-/// the search astray. (By the lemma of FrontEditor, at the apex, neither side of them is needed.)
-Propagation::Split Propagation::split_long(const Apex& apex, Front& front, double until) {
+/// The same with all looked at. One that has rays to the wrong side only died before the apex if it is not nearer to it
+/// (the lemma of FrontEditor, at the apex), and goes; otherwise the front is out of order.
+Propagation::Split Propagation::split_carefully(const Apex& apex, Front& front) {
   const double x = apex.x, y = apex.y;
-  for (std::size_t i = 0; (i = front.first_key_at_most(until, i)) < front.size();) {
-    const bool inside = i > 0 && i + 1 < front.size();
-    if (inside && !right_has(front[i - 1], front[i], x, y) && right_has(front[i], front[i + 1], x, y)) {
-      editor_.remove(front, i, {{}, apex.length});
-      --i;
-    } else {
-      ++i;
-    }
+  const Claimant all(front, x, y);
+  const Generator& owner = all[all.owner()];
+  Split split = around(owner, all.owner(), all.size(), apex, [&](std::size_t i) { return all[i]; });
+  for (std::size_t i = all.size(); i-- > 0;) {
+    const bool is_left = i < split.right_begin, is_right = i >= split.left_end;
+    if (!(is_left && !all[i].has_left(x, y)) && !(is_right && !all[i].has_right(x, y))) continue;
+    split.in_order = split.in_order && split.covered && !nearer(all[i].to(x, y), owner.to(x, y));
+    if (!split.in_order) break;
+    editor_.remove(front, i, {{}, apex.length});
+    if (is_left) --split.right_begin, --split.left_end;
   }
-  const std::size_t owner = owner_by_search(front, x, y);
-  return around(front[owner], owner, front.size(), apex, [&](std::size_t i) { return front[i]; });
+  return split;
 }
 
 /// The split at generator `best`, to which the apex belongs if it has a ray to it.
@@ -361,7 +347,10 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Index depth
   const Motion turn = to_left ? Motion{cosine, -sine, 0, 0}
                               : Motion{cosine, sine, apex.right_length() - cosine * apex.length, -sine * apex.length};
   front.move(turn);
-  editor_.bury(front, to_left ? apex.left_length() : apex.right_length(), until, {turn.inverse(), apex.length});
+  const double length = to_left ? apex.left_length() : apex.right_length();
+  editor_.fit(front, length);
+  editor_.bury(front, length, until, {turn.inverse(), apex.length});
+  editor_.fit(front, length);
   if (front.empty()) return;
   hand_on(std::move(front), to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, depth);
 }

@@ -92,8 +92,8 @@ class Propagation {
     bool covered;                       ///< those in both have the apex
     bool in_order;
   };
-  Split split_flat(const Apex& apex, Front& front);
-  Split split_long(const Apex& apex, Front& front, double until);
+  Split split_at(const Apex& apex, Front& front, double until);
+  Split split_carefully(const Apex& apex, Front& front);
   template <class Get>
   static Split around(const Generator& g, std::size_t best, std::size_t count, const Apex& apex, Get&& get);
   void lower_apex(const Apex& apex, const Front& front, const Split& split);

@@ -84,7 +84,7 @@ class EverySolver : public testing::TestWithParam<std::string> {
 /// Solvers whose factor is 1.
 class ExactSolver : public EverySolver {};
 
-inline std::vector<std::string> every_solver() { return {"cgal", "chen_han", "edge_dijkstra"}; }
+inline std::vector<std::string> every_solver() { return {"cgal", "chen_han", "edge_dijkstra", "schreiber"}; }
 inline std::vector<std::string> exact_solvers() { return {"cgal", "chen_han"}; }
 inline std::string solver_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
