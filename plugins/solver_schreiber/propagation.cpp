@@ -286,17 +286,27 @@ void Propagation::lower_watched(Index half_edge, const Front& front, double unti
 void Propagation::carry_on(const Apex& apex, Front front, const Split& split, Index depth, double until) {
   Front right = front.split(split.right_begin);
   Front left = std::move(front);
-  if (split.covered) {
-    ++editor_.counts().splits;
-    for (std::size_t i = 0; i < split.left_end - split.right_begin; ++i) {
-      Generator g = right[i];
-      editor_.aim_low(right, i, g, apex.x, apex.y);
-      g.set_high(apex.x, apex.y);
-      left.append(Front(pool_, g));
-    }
-    for (std::size_t i = split.right_begin; i < split.left_end; ++i) editor_.renew_key(left, i);
-    for (std::size_t i = 0; i < split.left_end - split.right_begin; ++i) editor_.renew_key(right, i);
+  editor_.counts().splits += split.covered;
+  const std::size_t ties = split.covered ? split.left_end - split.right_begin : 0;
+  for (std::size_t i = 0; i < ties; ++i) left.append(Front(pool_, right[i]));
+  // Rays on the wrong side of the apex are not needed, and would pass it there.
+  const bool all = left.is_flat() && right.is_flat();
+  for (std::size_t i = left.size(); i-- > 0;) {
+    const Generator g = left[i];
+    if (g.has_right(apex.x, apex.y))
+      editor_.aim_high(left, i, g, apex.x, apex.y);
+    else if (!all)
+      break;
   }
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    const Generator g = right[i];
+    if (g.has_left(apex.x, apex.y))
+      editor_.aim_low(right, i, g, apex.x, apex.y);
+    else if (!all)
+      break;
+  }
+  for (std::size_t i = split.right_begin; i < left.size(); ++i) editor_.renew_key(left, i);
+  for (std::size_t i = 0; i < ties; ++i) editor_.renew_key(right, i);
   carry(apex, std::move(left), true, depth, until);
   carry(apex, std::move(right), false, depth, until);
 }
@@ -306,37 +316,35 @@ void Propagation::carry_on(const Apex& apex, Front front, const Split& split, In
 void Propagation::carry_one_by_one(const Apex& apex, const Front& front, Index depth, double until) {
   ++counts_.tangled;
   const double x = apex.x, y = apex.y;
-  {
-    std::vector<Generator> all;
-    editor_.trimmed(front, apex.length).for_each([&](const Generator& g) { all.push_back(g); });
-    std::size_t best = all.size();
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      if (!all[i].covers(x, y)) {
-        lower_apex_bent(apex, all[i]);
-        continue;
-      }
-      lower_apex_by(apex, all[i], all[i].x, all[i].to(x, y));
-      if (best == all.size() || all[i].to(x, y) < all[best].to(x, y)) best = i;
+  std::vector<Generator> all;
+  editor_.trimmed(front, apex.length).for_each([&](const Generator& g) { all.push_back(g); });
+  std::size_t best = all.size();
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i].covers(x, y)) {
+      lower_apex_bent(apex, all[i]);
+      continue;
     }
-    Front left(pool_), right(pool_);
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      Generator g = all[i];
-      const bool covers = g.covers(x, y), as_near = covers && g.to(x, y) <= all[best].to(x, y) * (1 + equal_share);
-      if (g.has_left(x, y) && (!covers || i <= best || as_near)) {
-        if (covers) g.set_high(x, y);
-        left.append(Front(pool_, g));
-      }
-      g = all[i];
-      if (g.has_right(x, y) && (!covers || i >= best || as_near)) {
-        if (covers) g.set_low(x, y);
-        right.append(Front(pool_, g));
-      }
-    }
-    for (std::size_t i = 0; i < left.size(); ++i) editor_.renew_key(left, i);
-    for (std::size_t i = 0; i < right.size(); ++i) editor_.renew_key(right, i);
-    carry(apex, std::move(left), true, depth, until);
-    carry(apex, std::move(right), false, depth, until);
+    lower_apex_by(apex, all[i], all[i].x, all[i].to(x, y));
+    if (best == all.size() || all[i].to(x, y) < all[best].to(x, y)) best = i;
   }
+  Front left(pool_), right(pool_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    Generator g = all[i];
+    const bool covers = g.covers(x, y), as_near = covers && g.to(x, y) <= all[best].to(x, y) * (1 + equal_share);
+    if (g.has_left(x, y) && (!covers || i <= best || as_near)) {
+      if (covers) g.set_high(x, y);
+      left.append(Front(pool_, g));
+    }
+    g = all[i];
+    if (g.has_right(x, y) && (!covers || i >= best || as_near)) {
+      if (covers) g.set_low(x, y);
+      right.append(Front(pool_, g));
+    }
+  }
+  for (std::size_t i = 0; i < left.size(); ++i) editor_.renew_key(left, i);
+  for (std::size_t i = 0; i < right.size(); ++i) editor_.renew_key(right, i);
+  carry(apex, std::move(left), true, depth, until);
+  carry(apex, std::move(right), false, depth, until);
   lower_along_edges(apex);
 }
 
