@@ -33,20 +33,11 @@ Index PathTracer::through(Index window, double x, double y) {
     const double climb = y - w.y;
     const double place = climb > 0 ? w.x + (x - w.x) * (-w.y / climb) : x;
     const double crossed = std::clamp(place, w.low, w.high);
-    cross(half_edge, crossed);
+    out_.push_back(surface_.original(surface_.point_on(half_edge, crossed)));
     if (w.parent == no_index) return w.origin < surface_.vertex_count() ? w.origin : no_index;
     std::tie(x, y) = on_face_below(half_edge, crossed, kept_.half_edge_of(w.parent));
     window = w.parent;
   }
-}
-
-void PathTracer::cross(Index half_edge, double x) {
-  const double length = surface_.length(half_edge);
-  const double share = length > 0 ? std::clamp(x / length, 0.0, 1.0) : 0;
-  SurfacePoint point{surface_.original_face(half_edge / 3), {}};
-  point.b[half_edge % 3] = 1 - share;
-  point.b[(half_edge + 1) % 3] = share;
-  out_.push_back(point);
 }
 
 /// Point x of a half-edge in the frame of the half-edge `parent` of the face below, through which the window came.

@@ -22,7 +22,6 @@ class PathTracer {
 
  private:
   Index through(Index window, double x, double y);
-  void cross(Index half_edge, double x);
   std::pair<double, double> on_face_below(Index half_edge, double x, Index parent) const;
 
   const FlatSurface& surface_;

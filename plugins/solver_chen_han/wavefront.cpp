@@ -76,11 +76,10 @@ Index Wavefront::copy_of(Index block, bool mirrored, double length) {
   const Index copy = store_.add(count);
   const WindowArrays from = store_[block].windows(), to = store_[copy].windows();
   store_[copy].depth = store_[block].depth;
-  Entry& entry = store_[copy].entry = store_[block].entry;
+  store_[copy].entry = mirrored ? geodrome::mirrored(store_[block].entry) : store_[block].entry;
   if (!mirrored) {
     copy_windows(from, count, to);
   } else {
-    if (entry == Entry::left || entry == Entry::right) entry = entry == Entry::left ? Entry::right : Entry::left;
     for (std::size_t i = 0; i < count; ++i) {
       const Window w = from.get(i);
       to.set(count - 1 - i, {length - w.x, w.y, w.sigma, length - w.high, length - w.low, w.origin, w.parent});

@@ -8,18 +8,10 @@
 #include <memory>
 #include <vector>
 
+#include "common/solvers/entry.hpp"
 #include "solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
-
-/// Where the windows of a block entered the face below their half-edge, in the order in which such lines cross the
-/// half-edge without crossing each other.
-enum class Entry : std::uint8_t {
-  left,   ///< through the edge at the start of the half-edge
-  apex,   ///< from the vertex opposite: a pseudo-source
-  right,  ///< through the edge at the end of the half-edge
-  loose   ///< in no order with others: from a source in the face, or across an edge of more than two faces
-};
 
 /// Windows that wait at a half-edge, ordered along it and disjoint.
 struct Block {
@@ -27,7 +19,7 @@ struct Block {
   std::uint32_t first, count, capacity;
   Index next;   ///< block at the same half-edge, no_index after the last
   Index depth;  ///< faces crossed since the pseudo-source, at least
-  Entry entry;
+  Entry entry;  ///< of all its windows
 
   WindowArrays windows() const { return WindowArrays(memory, capacity).without(first); }
 };

@@ -12,9 +12,10 @@
 namespace geodrome::schreiber {
 
 /// A source image of a wavefront: a pseudo-source unfolded into the plane of a face, with the wedge between two rays
-/// that its straight paths stay in. Every point of the wedge is reached by a path that exists; where generators overlap
-/// the nearer one counts. In the frame of a half-edge images are at y <= 0 and wedges open upwards; `low` is the ray on
-/// the side of the half-edge's start.
+/// that its straight paths stay in. Where generators overlap the nearer one counts. Of the first and last of a front
+/// the outer ray exists; wedges inside are wider than what exists, and kept in check by their neighbours (`right_has`).
+/// In the frame of a half-edge images are at y <= 0 and wedges open upwards; `low` is the ray on the side of the
+/// half-edge's start.
 struct Generator {
   double x, y, sigma;     ///< the image; the distance travelled before it
   double low_x, low_y;    ///< unit direction

@@ -24,20 +24,11 @@ void PathTracer::from_crossing(const Step& step) {
 /// Appends the crossings up to the pseudo-source; returns it, or no_index if that is a source that is no vertex.
 Index PathTracer::follow(Step step) {
   for (;;) {
-    append(step.half_edge, step.crossing);
+    out_.push_back(surface_.original(surface_.point_on(step.half_edge, step.crossing)));
     const Onward next = onward(step.half_edge, step.crossing);
     if (next.half_edge == no_index) return next.vertex;
     step = {next.crossing, next.half_edge};
   }
-}
-
-void PathTracer::append(Index half_edge, double x) {
-  const double length = surface_.length(half_edge);
-  const double share = length > 0 ? std::clamp(x / length, 0.0, 1.0) : 0;
-  SurfacePoint point{surface_.original_face(half_edge / 3), {}};
-  point.b[half_edge % 3] = 1 - share;
-  point.b[(half_edge + 1) % 3] = share;
-  out_.push_back(point);
 }
 
 /// The shortest way on from the point.
@@ -54,9 +45,7 @@ PathTracer::Onward PathTracer::onward(Index half_edge, double x) const {
 void PathTracer::look_below(Index half_edge, double x, Onward& best) const {
   constexpr double as_short = 1 - 4 * std::numeric_limits<double>::epsilon();
   const Index face = half_edge / 3;
-  const double length = surface_.length(half_edge), share = length > 0 ? std::clamp(x / length, 0.0, 1.0) : 0;
-  std::array<double, 3> b{};
-  b[half_edge % 3] = 1 - share, b[(half_edge + 1) % 3] = share;
+  const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
   for (Index i = 0; i < 3; ++i) {
     const Index corner = 3 * face + i, vertex = surface_.from(corner);
     if (labels_[vertex].source == no_index) continue;

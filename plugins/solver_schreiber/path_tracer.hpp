@@ -38,7 +38,6 @@ class PathTracer {
     double crossing = 0;
   };
   Index follow(Step step);
-  void append(Index half_edge, double x);
   Onward onward(Index half_edge, double x) const;
   void look_below(Index half_edge, double x, Onward& best) const;
 

@@ -371,13 +371,10 @@ void Propagation::hand_on(Front front, Index edge, Entry entry, Index depth) {
   if (near * (1 - rounding) > limit_) return;
   const bool at_once = front.size() == 1 && is_close(front[0], length);
   if (surface_.is_fan(edge)) entry = Entry::loose;
-  surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
-    Entry own = entry;
-    if (mirrored && (entry == Entry::left || entry == Entry::right))
-      own = entry == Entry::left ? Entry::right : Entry::left;
-    if (at_once) return pass(half_edge, mirrored ? editor_.mirrored(front, length) : front, depth);
-    waiting_.push(half_edge, near + patience * length,
-                  {mirrored ? editor_.mirrored(front, length) : front, depth, own});
+  surface_.for_each_across(edge, [&](Index half_edge, bool same_way) {
+    Front own = same_way ? editor_.mirrored(front, length) : front;
+    if (at_once) return pass(half_edge, std::move(own), depth);
+    waiting_.push(half_edge, near + patience * length, {std::move(own), depth, same_way ? mirrored(entry) : entry});
   });
 }
 

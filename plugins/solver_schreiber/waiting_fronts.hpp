@@ -4,19 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "common/solvers/entry.hpp"
 #include "common/solvers/indexed_heap.hpp"
 #include "solver_schreiber/front.hpp"
 
 namespace geodrome::schreiber {
-
-/// Where a front entered the face below its half-edge, in the order in which rays cross the half-edge without crossing
-/// each other.
-enum class Entry : std::uint8_t {
-  left,   ///< through the edge at the start of the half-edge
-  apex,   ///< from the vertex opposite: a pseudo-source
-  right,  ///< through the edge at the end of the half-edge
-  loose   ///< in no order with others: from a source in the face, or across an edge of more than two faces
-};
 
 /// A front that waits at a half-edge.
 struct Arrival {

@@ -72,6 +72,14 @@ class FlatSurface {
     const auto [x, y] = apex(face, i);
     return {b[j] * face.length[i] + b[k] * x, b[k] * y};
   }
+  /// Place x of half-edge `h` as a point of its face, with the face's number here; beyond its ends, the nearer end.
+  SurfacePoint point_on(Index h, double x) const {
+    const double length = this->length(h), share = length > 0 ? std::clamp(x / length, 0.0, 1.0) : 0;
+    SurfacePoint point{h / 3, {}};
+    point.b[h % 3] = 1 - share;
+    point.b[(h + 1) % 3] = share;
+    return point;
+  }
   /// The third corner in the frame of half-edge i of a face.
   static std::pair<double, double> apex(const Face& face, int i) {
     const double side = face.length[(i + 2) % 3];

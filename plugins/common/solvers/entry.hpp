@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace geodrome {
+
+/// Where the lines of a wavefront entered the face below a half-edge, in the order in which such lines cross the
+/// half-edge without crossing each other.
+enum class Entry : std::uint8_t {
+  left,   ///< through the edge at the start of the half-edge
+  apex,   ///< from the vertex opposite: a pseudo-source
+  right,  ///< through the edge at the end of the half-edge
+  loose   ///< in no order with others: from a source in the face, or across an edge of more than two faces
+};
+
+/// The same, seen from a half-edge that runs the other way.
+inline Entry mirrored(Entry entry) {
+  if (entry == Entry::left) return Entry::right;
+  return entry == Entry::right ? Entry::left : entry;
+}
+
+}  // namespace geodrome
