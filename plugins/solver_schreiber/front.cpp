@@ -96,7 +96,10 @@ void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, 
   set_high(front, i, g);
 }
 
-void FrontEditor::fit(Front& front, double length) {
+void FrontEditor::fit(Front& front, double length, const Before& before) {
+  const auto is_outside = [length](const Generator& g) { return g.is_sliver() || claim_of(g, length).empty(); };
+  while (!front.empty() && is_outside(front.back())) remove(front, front.size() - 1, before);
+  while (!front.empty() && is_outside(front.front())) remove(front, 0, before);
   if (front.empty()) return;
   const std::size_t end = front.size() - 1;
   const Generator first = front[0];

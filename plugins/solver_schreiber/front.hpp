@@ -50,7 +50,8 @@ class FrontEditor {
   void remove(Front& front, std::size_t i, const Before& before);
 
   /// Bounds the first and last ray by the ends of the half-edge: beyond them they pass its vertices on the wrong side.
-  void fit(Front& front, double length);
+  /// What has nothing of the half-edge at an end goes.
+  void fit(Front& front, double length, const Before& before);
 
   /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
   /// keys up to `until` can have.

@@ -66,7 +66,7 @@ struct Generator {
   }
   /// A point at the image itself, but for rounding, leaves the ray as it is.
   void aim(double& dx, double& dy, double px, double py) const {
-    constexpr double same_place = 1e-9;
+    constexpr double same_place = 3e-11;
     const double size = std::hypot(px - x, py - y);
     if (size > same_place * (std::abs(px) + std::abs(x) + std::abs(y))) dx = (px - x) / size, dy = (py - y) / size;
   }

@@ -33,6 +33,14 @@ constexpr double patience = 0.25;
 /// More than the rounding of the distance at which a generator dies.
 constexpr double event_margin = 1e-9;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Of a direction from the x axis; of none, 0.
+Angle angle_of(double x, double y) {
+  const double size = std::sqrt(x * x + y * y);
+  return size > 0 ? Angle{x / size, y / size} : Angle{};
+}
+
 struct Ends {
   double low, high, at_low, at_high;
 };
@@ -356,9 +364,10 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Index depth
                               : Motion{cosine, sine, apex.right_length() - cosine * apex.length, -sine * apex.length};
   front.move(turn);
   const double length = to_left ? apex.left_length() : apex.right_length();
-  editor_.fit(front, length);
-  editor_.bury(front, length, until, {turn.inverse(), apex.length});
-  editor_.fit(front, length);
+  const FrontEditor::Before before{turn.inverse(), apex.length};
+  editor_.fit(front, length, before);
+  editor_.bury(front, length, until, before);
+  editor_.fit(front, length, before);
   if (front.empty()) return;
   hand_on(std::move(front), to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, depth);
 }
@@ -399,13 +408,15 @@ void Propagation::emit_into(Index corner) {
     lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {.vertex = vertex});
   if (label_is_lower(apex.end(), by_right))
     lower(apex.end(), {by_right, {}, apex.right(), label.source}, {.vertex = vertex});
-  emit_across(apex, apex.x, apex.y, label.distance, vertex, Entry::apex);
+  emit_across(apex, {apex.x, apex.y}, apex.angle(apex.a), apex.angle(apex.b), label.distance, vertex, Entry::apex);
 }
 
-/// A front from a point (x, y) of a face across the half-edge of `apex`.
-void Propagation::emit_across(const Apex& apex, double x, double y, double sigma, Index origin, Entry entry) {
-  Generator g{apex.length - x, -y, sigma, -1, 0, 1, 0, std::numeric_limits<double>::infinity(), origin};
-  g.set_low(0, 0), g.set_high(apex.length, 0);
+/// A front from a point of a face across the half-edge of `apex`, between the rays to its ends, of which the angles to
+/// the half-edge are given: the point may be so near to an end that its coordinates do not tell them.
+void Propagation::emit_across(const Apex& apex, std::pair<double, double> from, Angle at_start, Angle at_end,
+                              double sigma, Index origin, Entry entry) {
+  const Generator g{apex.length - from.first, -from.second,  sigma,    -at_end.cosine, at_end.sine,
+                    at_start.cosine,          at_start.sine, infinity, origin};
   hand_on(Front(pool_, g), apex.half_edge, entry, 1);
 }
 
@@ -428,10 +439,11 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
     const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
     const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
     const double away = std::sqrt(x * x + y * y), distance = source.start + away;
-    const Angle side = away > 0 ? Angle{x / away, y / away} : Angle{};
-    if (label_is_lower(apex.start(), distance)) lower(apex.start(), {distance, side, apex.half_edge, number}, {});
+    const Angle at_start = angle_of(x, y);
+    if (label_is_lower(apex.start(), distance)) lower(apex.start(), {distance, at_start, apex.half_edge, number}, {});
     if (at.b[apex.c] == 0) continue;
-    emit_across(apex, x, y, source.start, origin, Entry::loose);
+    const double to_end = at.b[apex.a] * apex.length + at.b[apex.c] * apex.right_length() * apex.face.cosine[apex.b];
+    emit_across(apex, {x, y}, at_start, angle_of(to_end, y), source.start, origin, Entry::loose);
   }
 }
 
