@@ -22,8 +22,8 @@ bool is_nearer_at_ray(const Generator& g, const Generator& other, double dx, dou
 }  // namespace
 
 bool right_has(const Generator& left, const Generator& right, double px, double py) {
-  if (!right.inside_low(px, py)) return false;
-  if (!left.inside_high(px, py)) return true;
+  if (!right.reaches_low(px, py)) return false;
+  if (!left.reaches_high(px, py)) return true;
   const bool in_left = left.inside_low(px, py), in_right = right.inside_high(px, py);
   if (in_right && !in_left) return is_nearer_at_ray(right, left, left.low_x, left.low_y, px, py);
   if (in_left && !in_right) return !is_nearer_at_ray(left, right, right.high_x, right.high_y, px, py);

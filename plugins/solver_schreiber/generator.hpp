@@ -6,6 +6,7 @@
 #include <limits>
 #include <tuple>
 
+#include "common/solvers/bisector.hpp"
 #include "geodrome/geometry.hpp"
 #include "solver_schreiber/motion.hpp"
 
@@ -42,6 +43,12 @@ struct Generator {
   bool inside_low(double px, double py) const { return low_x * (py - y) - low_y * (px - x) <= 0; }
   bool inside_high(double px, double py) const { return high_x * (py - y) - high_y * (px - x) >= 0; }
   bool covers(double px, double py) const { return inside_low(px, py) && inside_high(px, py); }
+  /// The same up to rounding: the way to a point beyond the ray, bent where the ray meets the half-edge, is no longer
+  /// than the straight one.
+  bool reaches_low(double px, double py) const { return is_reached(low_x * (py - y) - low_y * (px - x), low_y, py); }
+  bool reaches_high(double px, double py) const {
+    return is_reached(high_y * (px - x) - high_x * (py - y), high_y, py);
+  }
   /// Whether it has rays to the left or right of a point.
   bool has_left(double px, double py) const { return low_x * (py - y) - low_y * (px - x) < 0; }
   bool has_right(double px, double py) const { return high_x * (py - y) - high_y * (px - x) > 0; }
@@ -60,6 +67,11 @@ struct Generator {
   void set_high(double px, double py) { aim(high_x, high_y, px, py); }
 
  private:
+  /// A point that lies `beyond` a ray, which rises by `dy`. Bending by a small angle between parts a and b of a way
+  /// makes it longer by beyond^2 (1 / a + 1 / b) / 2.
+  bool is_reached(double beyond, double dy, double py) const {
+    return beyond <= 0 || beyond * beyond * dy * dy <= 2 * equal_share * -y * py;
+  }
   double place(double dx, double dy, double length) const {
     if (dy > 0) return std::clamp(x + dx * (-y / dy), 0.0, length);
     return dx == 0 ? std::clamp(x, 0.0, length) : dx < 0 ? 0 : length;

@@ -3,5 +3,5 @@
 #include "solver_schreiber/schreiber.hpp"
 
 GEODROME_PLUGIN(geodrome::SchreiberSolver, .name = "schreiber",
-                .summary = "by whole wavefronts (Schreiber 2010); being completed: no guarantee yet", .licence = "MIT",
-                .provides = geodrome::SchreiberSolver::provides)
+                .summary = "exact, by whole wavefronts (Schreiber 2010)", .licence = "MIT",
+                .provides = geodrome::SchreiberSolver::provides, .factor = geodrome::exact_factor)

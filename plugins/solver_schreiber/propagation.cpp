@@ -408,15 +408,17 @@ void Propagation::emit_into(Index corner) {
     lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {.vertex = vertex});
   if (label_is_lower(apex.end(), by_right))
     lower(apex.end(), {by_right, {}, apex.right(), label.source}, {.vertex = vertex});
-  emit_across(apex, {apex.x, apex.y}, apex.angle(apex.a), apex.angle(apex.b), label.distance, vertex, Entry::apex);
+  const double to_end = apex.right_length() * apex.face.cosine[apex.b];
+  emit_across(apex, apex.x, apex.y, to_end, label.distance, vertex, Entry::apex);
 }
 
-/// A front from a point of a face across the half-edge of `apex`, between the rays to its ends, of which the angles to
-/// the half-edge are given: the point may be so near to an end that its coordinates do not tell them.
-void Propagation::emit_across(const Apex& apex, std::pair<double, double> from, Angle at_start, Angle at_end,
-                              double sigma, Index origin, Entry entry) {
-  const Generator g{apex.length - from.first, -from.second,  sigma,    -at_end.cosine, at_end.sine,
-                    at_start.cosine,          at_start.sine, infinity, origin};
+/// A front from a point (x, y) of a face across the half-edge of `apex`, between the rays to its ends. `to_end` is its
+/// length less x, told apart from 0 where that is not.
+void Propagation::emit_across(const Apex& apex, double x, double y, double to_end, double sigma, Index origin,
+                              Entry entry) {
+  const Angle to_low = angle_of(-to_end, y), to_high = angle_of(x, y);
+  const Generator g{apex.length - x, -y,           sigma,    to_low.cosine, to_low.sine,
+                    to_high.cosine,  to_high.sine, infinity, origin};
   hand_on(Front(pool_, g), apex.half_edge, entry, 1);
 }
 
@@ -443,7 +445,7 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
     if (label_is_lower(apex.start(), distance)) lower(apex.start(), {distance, at_start, apex.half_edge, number}, {});
     if (at.b[apex.c] == 0) continue;
     const double to_end = at.b[apex.a] * apex.length + at.b[apex.c] * apex.right_length() * apex.face.cosine[apex.b];
-    emit_across(apex, {x, y}, at_start, angle_of(to_end, y), source.start, origin, Entry::loose);
+    emit_across(apex, x, y, to_end, source.start, origin, Entry::loose);
   }
 }
 

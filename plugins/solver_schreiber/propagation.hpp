@@ -109,8 +109,7 @@ class Propagation {
 
   void emit(Index vertex);
   void emit_into(Index corner);
-  void emit_across(const Apex& apex, std::pair<double, double> from, Angle at_start, Angle at_end, double sigma,
-                   Index origin, Entry entry);
+  void emit_across(const Apex& apex, double x, double y, double to_end, double sigma, Index origin, Entry entry);
   void seed_face(const SurfacePoint& at, const Source& source, Index number);
 
   const FlatSurface& surface_;

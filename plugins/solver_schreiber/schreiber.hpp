@@ -13,8 +13,8 @@ namespace geodrome {
 /// costs what it reaches.
 class SchreiberSolver final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t provides =
-      start_distances | face_sources | radius_limit | target_limit | any_point | paths | path_is_distance;
+  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
+                                            paths | path_is_distance | factor_any_point;
 
   explicit SchreiberSolver(const OptionValues&) {}
 

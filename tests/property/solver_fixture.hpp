@@ -85,7 +85,7 @@ class EverySolver : public testing::TestWithParam<std::string> {
 class ExactSolver : public EverySolver {};
 
 inline std::vector<std::string> every_solver() { return {"cgal", "chen_han", "edge_dijkstra", "schreiber"}; }
-inline std::vector<std::string> exact_solvers() { return {"cgal", "chen_han"}; }
+inline std::vector<std::string> exact_solvers() { return {"cgal", "chen_han", "schreiber"}; }
 inline std::string solver_name(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 /// Rounding of a few hundred operations a distance, relative to the largest distance.
