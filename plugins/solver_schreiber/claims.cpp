@@ -70,4 +70,16 @@ Order settle(const Generator& left, Claim& l, const Generator& right, Claim& r) 
   return Order::cut;
 }
 
+void keep_left(const Generator& left, Claim& l, const Generator& gone, const Claim& r) {
+  const double low = std::max(l.low, r.low), high = std::min(l.high, r.high);
+  if (!(low < high) || !nearer(gone.at(high), left.at(high))) return;
+  l.high = nearer(left.at(low), gone.at(low)) ? equal_place(left, gone, low, high) : low;
+}
+
+void keep_right(const Generator& gone, const Claim& l, const Generator& right, Claim& r) {
+  const double low = std::max(l.low, r.low), high = std::min(l.high, r.high);
+  if (!(low < high) || !nearer(gone.at(low), right.at(low))) return;
+  r.low = nearer(right.at(high), gone.at(high)) ? equal_place(gone, right, low, high) : high;
+}
+
 }  // namespace geodrome::schreiber

@@ -20,4 +20,8 @@ enum class Order { apart, cut, drop_left, drop_right };
 /// rounding would then take from it nothing else would cover.
 Order settle(const Generator& left, Claim& l, const Generator& right, Claim& r);
 
+/// What the neighbour of one that is gone had of a half-edge beside it: all where it was as near up to rounding.
+void keep_left(const Generator& left, Claim& l, const Generator& gone, const Claim& r);
+void keep_right(const Generator& gone, const Claim& l, const Generator& right, Claim& r);
+
 }  // namespace geodrome::schreiber

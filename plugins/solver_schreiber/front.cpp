@@ -51,8 +51,8 @@ void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
   const auto turn_back = [&](double& dx, double& dy) { std::tie(dx, dy) = before.back.turn_back(dx, dy); };
   if (!was_first) {
     Generator left = front[i - 1].moved(before.back);
-    Claim l = claim_of(left, length), r = claim_of(gone, length);
-    settle(left, l, gone, r);
+    Claim l = claim_of(left, length);
+    keep_left(left, l, gone, claim_of(gone, length));
     if (was_last) l.high = std::min(l.high, gone.high(length));
     if (left.has_right(l.high, 0)) {
       left.set_high(l.high, 0);
@@ -62,8 +62,8 @@ void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
   }
   if (!was_last) {
     Generator right = front[i].moved(before.back);
-    Claim l = claim_of(gone, length), r = claim_of(right, length);
-    settle(gone, l, right, r);
+    Claim r = claim_of(right, length);
+    keep_right(gone, claim_of(gone, length), right, r);
     if (was_first) r.low = std::max(r.low, gone.low(length));
     if (right.has_left(r.low, 0)) {
       right.set_low(r.low, 0);

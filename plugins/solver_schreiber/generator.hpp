@@ -45,10 +45,13 @@ struct Generator {
   bool covers(double px, double py) const { return inside_low(px, py) && inside_high(px, py); }
   /// The same up to rounding: the way to a point beyond the ray, bent where the ray meets the half-edge, is no longer
   /// than the straight one.
-  bool reaches_low(double px, double py) const { return is_reached(low_x * (py - y) - low_y * (px - x), low_y, py); }
-  bool reaches_high(double px, double py) const {
-    return is_reached(high_y * (px - x) - high_x * (py - y), high_y, py);
+  bool reaches_low(double px, double py) const {
+    return is_reached(low_x * (py - y) - low_y * (px - x), low_x, low_y, px, py);
   }
+  bool reaches_high(double px, double py) const {
+    return is_reached(high_y * (px - x) - high_x * (py - y), high_x, high_y, px, py);
+  }
+  bool reaches(double px, double py) const { return reaches_low(px, py) && reaches_high(px, py); }
   /// Whether it has rays to the left or right of a point.
   bool has_left(double px, double py) const { return low_x * (py - y) - low_y * (px - x) < 0; }
   bool has_right(double px, double py) const { return high_x * (py - y) - high_y * (px - x) > 0; }
@@ -67,10 +70,13 @@ struct Generator {
   void set_high(double px, double py) { aim(high_x, high_y, px, py); }
 
  private:
-  /// A point that lies `beyond` a ray, which rises by `dy`. Bending by a small angle between parts a and b of a way
-  /// makes it longer by beyond^2 (1 / a + 1 / b) / 2.
-  bool is_reached(double beyond, double dy, double py) const {
-    return beyond <= 0 || beyond * beyond * dy * dy <= 2 * equal_share * -y * py;
+  /// A point at distance `beyond` from a ray, if positive.
+  bool is_reached(double beyond, double dx, double dy, double px, double py) const {
+    constexpr double too_far = 1e-7;  // for its square, at least by which the bent way is longer, to be rounding
+    if (beyond <= 0) return true;
+    if (beyond > too_far * (std::abs(px - x) + std::abs(py - y)) || !(dy > 0)) return false;
+    const double along = -y / dy, after = std::hypot(px - (x + along * dx), py);
+    return along + after <= (1 + equal_share) * std::hypot(px - x, py - y);
   }
   double place(double dx, double dy, double length) const {
     if (dy > 0) return std::clamp(x + dx * (-y / dy), 0.0, length);

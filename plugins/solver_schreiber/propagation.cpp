@@ -204,12 +204,12 @@ template <class Get>
 Propagation::Split Propagation::around(const Generator& g, std::size_t best, std::size_t count, const Apex& apex,
                                        Get&& get) {
   const double x = apex.x, y = apex.y;
-  if (!g.covers(x, y)) {
+  if (!g.reaches(x, y)) {
     const std::size_t after = g.inside_high(x, y) ? best : best + 1;
     return {after, after, false, true};
   }
   const double most = g.to(x, y) * (1 + equal_share);
-  const auto is_as_near = [&](const Generator& other) { return other.covers(x, y) && other.to(x, y) <= most; };
+  const auto is_as_near = [&](const Generator& other) { return other.reaches(x, y) && other.to(x, y) <= most; };
   Split split{best + 1, best, true, true};
   while (split.right_begin > 0 && is_as_near(get(split.right_begin - 1))) --split.right_begin;
   while (split.left_end < count && is_as_near(get(split.left_end))) ++split.left_end;

@@ -68,6 +68,13 @@ class ExactSearch final : public Search, private ShortestPathMap {
     Index source = no_index, corner = no_index;
   };
 
+  /// The shortest of all, through `way` if that is one.
+  struct NearestWay {
+    double distance = infinity;
+    Index source = no_index, corner = no_index;
+    Way way;
+  };
+
   const SurfaceMesh& mesh() const { return surface_->mesh(); }
   static auto face_then_place(const SurfacePoint& p) { return std::tie(p.face, p.b); }
   void seed(double units);
@@ -76,9 +83,10 @@ class ExactSearch final : public Search, private ShortestPathMap {
   void finish(const Request& request);
   void count();
   PlainWay plain_way(const SurfacePoint& inner) const;
+  PlainWay watched_way(const SurfacePoint& point) const;
+  NearestWay nearest_way(const SurfacePoint& point) const;
   Distance judge(double distance, Index source, Index face) const;
   Distance distance_at(const SurfacePoint& point) const;
-  Distance watched_distance(const SurfacePoint& point) const;
 
   std::shared_ptr<const FlatSurface> surface_;
   Propagation propagation_;
@@ -135,7 +143,8 @@ void ExactSearch<Propagation>::watch(const Request& request) {
   if (keep_ == Keep::map && !request.stop_at_targets) return;
   std::vector<Watched>& watched = propagation_.watched();
   for (const SurfacePoint& target : request.targets)
-    if (mesh().vertex_at(target) == no_index) watched.push_back({surface_->inner(target)});
+    if (mesh().vertex_at(target) == no_index)
+      surface_->for_each_name(surface_->inner(target), [&](const SurfacePoint& name) { watched.push_back({name}); });
   std::sort(watched.begin(), watched.end(),
             [](const Watched& a, const Watched& b) { return face_then_place(a.at) < face_then_place(b.at); });
 }
@@ -145,11 +154,10 @@ double ExactSearch<Propagation>::farthest_target(const Request& request) const {
   double farthest = 0;
   for (const SurfacePoint& target : request.targets) {
     const Index vertex = mesh().vertex_at(target);
-    if (vertex != no_index)
-      farthest = std::max(farthest, propagation_.labels().distance(surface_->vertex_of_original(vertex)));
+    farthest =
+        std::max(farthest, vertex == no_index ? watched_way(target).distance
+                                              : propagation_.labels().distance(surface_->vertex_of_original(vertex)));
   }
-  for (const Watched& w : propagation_.watched())
-    farthest = std::max(farthest, std::min(w.distance, plain_way(w.at).distance));
   return farthest;
 }
 
@@ -166,8 +174,9 @@ void ExactSearch<Propagation>::finish(const Request& request) {
     distances_[written_.back()] = value;
   }
   kept_.assign(request.targets, [this](const SurfacePoint& target) {
-    const bool watched = keep_ != Keep::map && mesh().vertex_at(target) == no_index;
-    return watched ? watched_distance(target) : distance_at(target);
+    if (keep_ == Keep::map || mesh().vertex_at(target) != no_index) return distance_at(target);
+    const PlainWay way = watched_way(target);
+    return judge(way.distance, way.source, target.face);
   });
   count();
 }
@@ -193,24 +202,38 @@ Distance ExactSearch<Propagation>::distance_at(const SurfacePoint& point) const 
     const Label& label = propagation_.labels()[surface_->vertex_of_original(vertex)];
     return judge(label.distance, label.source, point.face);
   }
-  const SurfacePoint inner = surface_->inner(point);
-  const PlainWay plain = plain_way(inner);
-  const Way way = propagation_.way_to(inner, plain.distance);
-  return way.distance < plain.distance ? judge(way.distance, way.source, point.face)
-                                       : judge(plain.distance, plain.source, point.face);
+  const NearestWay nearest = nearest_way(point);
+  return judge(nearest.distance, nearest.source, point.face);
 }
 
-/// Of a target that was watched.
+/// To a point that is no vertex, with all windows kept. A point of an edge is asked for in each of its faces: in the
+/// one that the way comes from, rounding where windows meet counts least.
 template <class Propagation>
-Distance ExactSearch<Propagation>::watched_distance(const SurfacePoint& point) const {
-  const SurfacePoint inner = surface_->inner(point);
+auto ExactSearch<Propagation>::nearest_way(const SurfacePoint& point) const -> NearestWay {
+  NearestWay nearest;
+  surface_->for_each_name(surface_->inner(point), [&](const SurfacePoint& name) {
+    const PlainWay plain = plain_way(name);
+    if (plain.distance < nearest.distance) nearest = {plain.distance, plain.source, plain.corner, {}};
+    const Way way = propagation_.way_to(name, nearest.distance);
+    if (way.distance < nearest.distance) nearest = {way.distance, way.source, no_index, way};
+  });
+  return nearest;
+}
+
+/// To a target that was watched.
+template <class Propagation>
+auto ExactSearch<Propagation>::watched_way(const SurfacePoint& point) const -> PlainWay {
   const auto& watched = propagation_.watched();
-  const auto found = std::lower_bound(
-      watched.begin(), watched.end(), inner,
-      [](const Watched& w, const SurfacePoint& p) { return face_then_place(w.at) < face_then_place(p); });
-  const PlainWay plain = plain_way(inner);
-  return found->distance < plain.distance ? judge(found->distance, found->source, point.face)
-                                          : judge(plain.distance, plain.source, point.face);
+  PlainWay nearest;
+  surface_->for_each_name(surface_->inner(point), [&](const SurfacePoint& name) {
+    const auto found = std::lower_bound(
+        watched.begin(), watched.end(), name,
+        [](const Watched& w, const SurfacePoint& p) { return face_then_place(w.at) < face_then_place(p); });
+    if (found->distance < nearest.distance) nearest = {found->distance, found->source};
+    const PlainWay plain = plain_way(name);
+    if (plain.distance < nearest.distance) nearest = plain;
+  });
+  return nearest;
 }
 
 /// A distance in the surface's units as an answer, for a point in a face of the mesh.
@@ -262,13 +285,11 @@ void ExactSearch<Propagation>::path(const SurfacePoint& point, std::vector<Surfa
     if (out.size() == 1 && mesh().vertex_at(sources_[distance.source].at) == vertex) return;
   } else {
     out.push_back(point);
-    const SurfacePoint inner = surface_->inner(point);
-    const PlainWay plain = plain_way(inner);
-    const Way way = propagation_.way_to(inner, plain.distance);
-    if (way.distance < plain.distance)
-      propagation_.trace(way, out);
-    else if (plain.corner != no_index)
-      propagation_.trace_from_vertex(plain.corner, out);
+    const NearestWay nearest = nearest_way(point);
+    if (nearest.way.source != no_index)
+      propagation_.trace(nearest.way, out);
+    else if (nearest.corner != no_index)
+      propagation_.trace_from_vertex(nearest.corner, out);
   }
   out.push_back(sources_[distance.source].at);
 }
