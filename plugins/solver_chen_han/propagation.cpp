@@ -185,7 +185,7 @@ void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t 
   const bool all_sides = distance - w.sigma[i] <= close_share * apex.length;  // two vertices in one place
   if (!label_is_lower(vertex, distance)) {
     const double present = labels_.distance(vertex);
-    if (!all_sides || labels_[vertex].all_sides() || distance > present * (1 + equal_share)) return;
+    if (!all_sides || labels_[vertex].all_sides() || distance > present + close_share * apex.length) return;
     labels_.widen(vertex);
     return wavefront_.push_vertex(vertex, present);
   }

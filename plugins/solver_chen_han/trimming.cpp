@@ -32,6 +32,8 @@ Pair settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std:
   const bool left_keeps_all = !nearer(v.at(right, high), w.at(left, high));
   const bool right_keeps_all = !nearer(w.at(left, low), v.at(right, low));
   const bool left_is_inside = v.low[right] < low;
+  // As far everywhere, but the right one on the left: the lemma needs one to be nearer.
+  if (left_keeps_all && right_keeps_all && left_is_inside && high < w.high[left]) return Pair::tangled;
   if (left_keeps_all && !(right_keeps_all && left_is_inside))
     v.low[right] = high;
   else if (right_keeps_all)

@@ -9,14 +9,14 @@ namespace geodrome::schreiber {
 
 namespace {
 
-/// Whether `g` is nearer than `other` where its line to p crosses a ray (dx, dy) of the other one.
-bool is_nearer_at_ray(const Generator& g, const Generator& other, double dx, double dy, double px, double py) {
+/// Whether `g` is not farther than `other` where its line to p crosses a ray (dx, dy) of the other one.
+bool is_near_at_ray(const Generator& g, const Generator& other, double dx, double dy, double px, double py) {
   const double ux = px - g.x, uy = py - g.y, gap_x = g.x - other.x, gap_y = g.y - other.y;
   const double turn = dx * uy - dy * ux;
   const double along = (gap_x * uy - gap_y * ux) / turn;  // the ray
   if (!(along > 0)) return true;                          // not in front of it
   const double qx = other.x + along * dx, qy = other.y + along * dy;
-  return g.to(qx, qy) < other.sigma + along;
+  return !nearer(other.sigma + along, g.to(qx, qy));
 }
 
 }  // namespace
@@ -25,11 +25,11 @@ bool right_has(const Generator& left, const Generator& right, double px, double 
   if (!right.reaches_low(px, py)) return false;
   if (!left.reaches_high(px, py)) return true;
   const bool in_left = left.inside_low(px, py), in_right = right.inside_high(px, py);
-  if (in_right && !in_left) return is_nearer_at_ray(right, left, left.low_x, left.low_y, px, py);
-  if (in_left && !in_right) return !is_nearer_at_ray(left, right, right.high_x, right.high_y, px, py);
+  if (in_right && !in_left) return is_near_at_ray(right, left, left.low_x, left.low_y, px, py);
+  if (in_left && !in_right) return !is_near_at_ray(left, right, right.high_x, right.high_y, px, py);
   if (in_left && in_right) return right.to(px, py) < left.to(px, py);
   // Before the point the two have changed sides: what counts is which is nearer where their outermost rays cross.
-  return !is_nearer_at_ray(left, right, right.high_x, right.high_y, left.x + left.low_x, left.y + left.low_y);
+  return !is_near_at_ray(left, right, right.high_x, right.high_y, left.x + left.low_x, left.y + left.low_y);
 }
 
 namespace {
@@ -61,6 +61,8 @@ Order settle(const Generator& left, Claim& l, const Generator& right, Claim& r) 
   const bool left_keeps_all = !nearer(right.at(high), left.at(high));
   const bool right_keeps_all = !nearer(left.at(low), right.at(low));
   const bool left_is_inside = r.low < low;
+  // As far everywhere, but the right one on the left: the lemma needs one to be nearer.
+  if (left_keeps_all && right_keeps_all && left_is_inside && high < l.high) return Order::tangled;
   if (left_keeps_all && !(right_keeps_all && left_is_inside))
     r.low = high;
   else if (right_keeps_all)

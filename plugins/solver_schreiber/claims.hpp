@@ -13,7 +13,7 @@ struct Claim {
 inline Claim claim_of(const Generator& g, double length) { return {g.low(length), g.high(length)}; }
 
 /// What becomes of a pair in order.
-enum class Order { apart, cut, drop_left, drop_right };
+enum class Order { apart, cut, drop_left, drop_right, tangled };
 
 /// Cuts the claims of neighbours in order against each other, with nothing else known. Where the two are equally far up
 /// to rounding, as along the line from one through the other, no claim is cut for the sake of one inside it: what

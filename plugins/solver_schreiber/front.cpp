@@ -140,6 +140,7 @@ void FrontEditor::join(Front& left, Front right, double length) {
     Generator a = left[end], b = right[0];
     Claim l = claim_of(a, length), r = claim_of(b, length);
     const Order order = settle(a, l, b, r);
+    if (order == Order::tangled) return merge(left, right, length);
     const bool cut = order == Order::cut;
     if (cut) a.set_high(l.high, 0), b.set_low(r.low, 0);
     if (order == Order::drop_left || l.empty() || a.is_sliver() ||
@@ -160,39 +161,6 @@ void FrontEditor::join(Front& left, Front right, double length) {
   ++counts_.joins;
   renew_key(left, seam - 1);
   renew_key(left, seam);
-}
-
-Front FrontEditor::trimmed(const Front& front, double length) { return front_of(pieces(front, length, 0)); }
-
-FrontEditor::Pieces FrontEditor::pieces(const Front& front, double length, std::size_t first_name) const {
-  Pieces result;
-  front.for_each([&](const Generator& g) {
-    Claim claim = claim_of(g, length);
-    const std::size_t name = first_name++;
-    while (!result.empty()) {
-      Piece& last = result.back();
-      Claim before{last.low, last.high};
-      const Order order = settle(last.generator, before, g, claim);
-      if (order == Order::drop_right || claim.empty()) return;
-      last.high = before.high;
-      if (order != Order::drop_left && !before.empty()) break;
-      result.pop_back();
-    }
-    if (!claim.empty()) result.push_back({g, claim.low, claim.high, name});
-  });
-  return result;
-}
-
-Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
-  Front front(pool_);
-  for (const Piece& piece : pieces) {
-    Generator g = piece.generator;
-    g.set_low(piece.low, 0), g.set_high(piece.high, 0);
-    if (g.is_sliver()) continue;
-    front.append(Front(pool_, g));
-  }
-  for (std::size_t i = 0; i < front.size(); ++i) renew_key(front, i);
-  return front;
 }
 
 namespace {
@@ -265,6 +233,44 @@ std::vector<Piece> nearest(const std::vector<Piece>& a, const std::vector<Piece>
 }
 
 }  // namespace
+
+Front FrontEditor::trimmed(const Front& front, double length) { return front_of(pieces(front, length, 0)); }
+
+FrontEditor::Pieces FrontEditor::pieces(const Front& front, double length, std::size_t first_name) const {
+  Pieces result, in_order;
+  front.for_each([&](const Generator& g) {
+    Claim claim = claim_of(g, length);
+    const std::size_t name = first_name++;
+    while (!in_order.empty()) {
+      Piece& last = in_order.back();
+      Claim before{last.low, last.high};
+      const Order order = settle(last.generator, before, g, claim);
+      if (order == Order::drop_right || claim.empty()) return;
+      if (order == Order::tangled) {
+        result = nearest(result, in_order);
+        in_order.clear();
+        break;
+      }
+      last.high = before.high;
+      if (order != Order::drop_left && !before.empty()) break;
+      in_order.pop_back();
+    }
+    if (!claim.empty()) in_order.push_back({g, claim.low, claim.high, name});
+  });
+  return nearest(result, in_order);
+}
+
+Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
+  Front front(pool_);
+  for (const Piece& piece : pieces) {
+    Generator g = piece.generator;
+    g.set_low(piece.low, 0), g.set_high(piece.high, 0);
+    if (g.is_sliver()) continue;
+    front.append(Front(pool_, g));
+  }
+  for (std::size_t i = 0; i < front.size(); ++i) renew_key(front, i);
+  return front;
+}
 
 void FrontEditor::merge(Front& front, const Front& other, double length) {
   ++counts_.envelopes;

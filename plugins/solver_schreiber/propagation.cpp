@@ -254,7 +254,7 @@ void Propagation::lower_apex_by(const Apex& apex, const Generator& g, double x, 
   const bool all_sides = distance - g.sigma <= close_share * apex.length;
   if (!label_is_lower(vertex, distance)) {
     const double present = labels_.distance(vertex);
-    if (!all_sides || labels_[vertex].all_sides() || distance > present * (1 + equal_share)) return;
+    if (!all_sides || labels_[vertex].all_sides() || distance > present + close_share * apex.length) return;
     labels_.widen(vertex);
     return waiting_.push_vertex(vertex, present);
   }

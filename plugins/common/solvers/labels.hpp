@@ -54,10 +54,14 @@ class Labels {
     with_steps_ = with_steps;
   }
 
-  /// Precondition: label.distance is lower than the present one.
+  /// Precondition: label.distance is lower than the present one. If it is so by next to nothing, the vertex still goes
+  /// on to all sides if it did.
   void set(Index vertex, const Label& label, const Step& step) {
-    if (labels_[vertex].source == no_index) touched_.push_back(vertex);
+    constexpr double next_to_nothing = 1e-9;
+    const Label present = labels_[vertex];
+    if (present.source == no_index) touched_.push_back(vertex);
     labels_[vertex] = label;
+    if (present.all_sides() && label.distance >= present.distance * (1 - next_to_nothing)) widen(vertex);
     if (with_steps_) steps_[vertex] = step;
   }
 
