@@ -79,7 +79,7 @@ struct Generator {
     return along + after <= (1 + equal_share) * std::hypot(px - x, py - y);
   }
   double place(double dx, double dy, double length) const {
-    if (dy > 0) return std::clamp(x + dx * (-y / dy), 0.0, length);
+    if (dy > 0) return std::clamp(x + dx * (std::max(0.0, -y) / dy), 0.0, length);
     return dx == 0 ? std::clamp(x, 0.0, length) : dx < 0 ? 0 : length;
   }
   /// A point at the image itself, but for rounding, leaves the ray as it is.

@@ -23,7 +23,7 @@ constexpr double rounding = 1e-13;
 constexpr double close_share = 1e-8;
 
 bool is_close(const Generator& g, double length) {
-  return -g.y <= close_share * length && g.low(length) < g.x && g.x < g.high(length);
+  return -g.y <= close_share * length && 0 < g.x && g.x < length;
 }
 
 /// A half-edge leaves the queue at the least distance of its front plus this share of its length: late enough that
