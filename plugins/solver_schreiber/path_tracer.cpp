@@ -25,50 +25,63 @@ void PathTracer::from_crossing(const Step& step) {
 Index PathTracer::follow(Step step) {
   for (;;) {
     out_.push_back(surface_.original(surface_.point_on(step.half_edge, step.crossing)));
-    const Onward next = onward(step.half_edge, step.crossing);
-    if (next.half_edge == no_index) return next.vertex;
-    step = {next.crossing, next.half_edge};
+    Onward best;
+    surface_.for_each_across(step.half_edge, [&](Index below, bool mirrored) {
+      const double x = mirrored ? step.crossing : surface_.length(step.half_edge) - step.crossing;
+      look_for_origin(step, below, x, best);
+      look_below(step, below, x, best);
+    });
+    step = best.step;
+    if (step.half_edge == no_index) return step.vertex;
   }
 }
 
-/// The shortest way on from the point.
-PathTracer::Onward PathTracer::onward(Index half_edge, double x) const {
-  Onward best;
-  surface_.for_each_across(half_edge, [&](Index below, bool mirrored) {
-    look_below(below, mirrored ? x : surface_.length(half_edge) - x, best);
-  });
-  return best;
-}
-
-/// `x` is the place on `half_edge`, of the face below. A corner is taken before a front that is shorter by rounding
-/// only: from a point at a vertex fronts could lead around it for ever.
-void PathTracer::look_below(Index half_edge, double x, Onward& best) const {
-  constexpr double as_short = 1 - 4 * std::numeric_limits<double>::epsilon();
+/// The origin of the generator, if it is in the face below. `x` is the place on `half_edge`, of that face.
+void PathTracer::look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const {
   const Index face = half_edge / 3;
   const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
-  for (Index i = 0; i < 3; ++i) {
-    const Index corner = 3 * face + i, vertex = surface_.from(corner);
-    if (labels_[vertex].source == no_index) continue;
+  for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
+    if (surface_.from(corner) != from.origin) continue;
     const auto [cx, cy] = surface_.in_frame(corner, b);
-    const double distance = labels_.distance(vertex) + std::hypot(cx, cy);
-    if (distance < best.distance) best = {distance, no_index, vertex};
+    const double distance = labels_.distance(from.origin) + std::hypot(cx, cy);
+    if (distance < best.distance) best = {distance, {.vertex = from.origin}};
   }
+  const std::size_t vertices = surface_.vertex_count();
+  if (from.origin < vertices) return;
   const auto [x0, y0] = surface_.in_frame(3 * face, b);
   for (const SeededFace& source : sources_) {
-    if (source.at.face != face) continue;
+    if (source.at.face != face || source.number != from.origin - vertices) continue;
     const auto [sx, sy] = surface_.in_frame(3 * face, source.at.b);
     const double distance = source.start + std::hypot(sx - x0, sy - y0);
-    if (distance < best.distance) best = {distance};
+    if (distance < best.distance) best = {distance, {}};
   }
-  const double until = best.distance + surface_.longest_side(face);
+}
+
+/// The shortest way on through what was kept before. The origin is taken before a front that is shorter by rounding
+/// only.
+void PathTracer::look_below(const Step& from, Index half_edge, double x, Onward& best) const {
+  constexpr double as_short = 1 - 4 * std::numeric_limits<double>::epsilon();
+  const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
+  const double until = nearest_over_corners(half_edge / 3, b) + surface_.longest_side(half_edge / 3);
   for (const Index h : {SurfaceMesh::next(half_edge), SurfaceMesh::previous(half_edge)}) {
     const auto [px, py] = surface_.in_frame(h, b);
-    kept_.for_each(h, [&, px = px, py = py](const Front& front) {
+    kept_.for_each(h, from.front, [&, px = px, py = py](const Front& front, Index number) {
       const Generator g = owner_at(front, px, py, until);
       const Crossing crossing = way_through(g, surface_.length(h), px, py, best.distance);
-      if (crossing.distance < as_short * best.distance) best = {crossing.distance, h, no_index, crossing.place};
+      if (crossing.distance < as_short * best.distance)
+        best = {crossing.distance, {crossing.place, h, no_index, number, g.origin}};
     });
   }
+}
+
+/// An upper bound of the distance of a point.
+double PathTracer::nearest_over_corners(Index face, const std::array<double, 3>& b) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
+    const auto [cx, cy] = surface_.in_frame(corner, b);
+    least = std::min(least, labels_.distance(surface_.from(corner)) + std::hypot(cx, cy));
+  }
+  return least;
 }
 
 }  // namespace geodrome::schreiber

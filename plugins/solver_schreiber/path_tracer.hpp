@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <utility>
+#include <array>
+#include <limits>
 #include <vector>
 
 #include "common/solvers/flat_surface.hpp"
@@ -14,10 +15,13 @@ namespace geodrome::schreiber {
 struct SeededFace {
   SurfacePoint at;
   double start;
+  Index number;
 };
 
 /// Follows kept fronts back to the source, face by face: in each the generator is looked up again, so that no error of
-/// a direction adds up and thin triangles do no harm. Points are appended with the mesh's own face numbers.
+/// a direction adds up and thin triangles do no harm. What it follows was kept before what it comes from, so that it
+/// never goes round, not even where faces without area meet in one place. Points are appended with the mesh's own face
+/// numbers.
 class PathTracer {
  public:
   PathTracer(const FlatSurface& surface, const Labels<Step>& labels, const KeptFronts& kept,
@@ -34,12 +38,12 @@ class PathTracer {
   /// to a corner or a source in the face.
   struct Onward {
     double distance = std::numeric_limits<double>::infinity();
-    Index half_edge = no_index, vertex = no_index;
-    double crossing = 0;
+    Step step;
   };
   Index follow(Step step);
-  Onward onward(Index half_edge, double x) const;
-  void look_below(Index half_edge, double x, Onward& best) const;
+  void look_below(const Step& from, Index half_edge, double x, Onward& best) const;
+  void look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const;
+  double nearest_over_corners(Index face, const std::array<double, 3>& b) const;
 
   const FlatSurface& surface_;
   const Labels<Step>& labels_;

@@ -22,9 +22,7 @@ constexpr double rounding = 1e-13;
 /// half-edge. (On faces without area the image lies on the half-edge.)
 constexpr double close_share = 1e-8;
 
-bool is_close(const Generator& g, double length) {
-  return -g.y <= close_share * length && 0 < g.x && g.x < length;
-}
+bool is_close(const Generator& g, double length) { return -g.y <= close_share * length && 0 < g.x && g.x < length; }
 
 /// A half-edge leaves the queue at the least distance of its front plus this share of its length: late enough that
 /// fronts of all sides have come, early enough that what depends on it need not be done again.
@@ -267,7 +265,7 @@ void Propagation::lower_apex_by(const Apex& apex, const Generator& g, double x, 
     side = by_bend ? apex.side(x - apex.x, -apex.y) : apex.side(g.x - apex.x, g.y - apex.y);
   }
   lower(vertex, {distance, side, apex.left(), source_of(g.origin)},
-        {bends ? x : std::clamp(straight, 0.0, apex.length), apex.half_edge});
+        {bends ? x : std::clamp(straight, 0.0, apex.length), apex.half_edge, no_index, kept_.last(), g.origin});
 }
 
 void Propagation::lower(Index vertex, const Label& label, const Step& step) {
@@ -436,7 +434,7 @@ void Propagation::seed(const Source& source, Index number) {
 /// A source in a face or on its edge: the corners, and fronts to the edges that it is not on.
 void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
   const Index origin = static_cast<Index>(surface_.vertex_count()) + number;
-  sources_.push_back({at, source.start});
+  sources_.push_back({at, source.start, number});
   for (int i = 0; i < 3; ++i) {
     const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
     const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);

@@ -11,12 +11,12 @@ Propagation::Way Propagation::way_to(const SurfacePoint& inner, double best) con
   const double until = best + surface_.longest_side(inner.face);
   for (Index h = 3 * inner.face; h < 3 * inner.face + 3; ++h) {
     const auto [x, y] = surface_.in_frame(h, inner.b);
-    kept_.for_each(h, [&, x = x, y = y](const Front& front) {
+    kept_.for_each(h, no_index, [&, x = x, y = y](const Front& front, Index number) {
       const Generator g = owner_at(front, x, y, until);
       const Crossing crossing = way_through(g, surface_.length(h), x, y, best);
       if (!(crossing.distance < best)) return;
       best = crossing.distance;
-      way = {best, source_of(g.origin), {crossing.place, h}};
+      way = {best, source_of(g.origin), {crossing.place, h, no_index, number, g.origin}};
     });
   }
   return way;
