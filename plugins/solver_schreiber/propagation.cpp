@@ -417,7 +417,7 @@ void Propagation::emit_across(const Apex& apex, double x, double y, double to_en
   const Angle to_low = angle_of(-to_end, y), to_high = angle_of(x, y);
   const Generator g{apex.length - x, -y,           sigma,    to_low.cosine, to_low.sine,
                     to_high.cosine,  to_high.sine, infinity, origin};
-  hand_on(Front(pool_, g), apex.half_edge, entry, 1);
+  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, 1);
 }
 
 void Propagation::seed(const Source& source, Index number) {
