@@ -311,8 +311,11 @@ void Propagation::carry_on(const Apex& apex, Front front, const Split& split, In
     else if (!all)
       break;
   }
-  for (std::size_t i = split.right_begin; i < left.size(); ++i) editor_.renew_key(left, i);
-  for (std::size_t i = 0; i < ties; ++i) editor_.renew_key(right, i);
+  // One that is as near at the apex may have nothing on the other side of it; its neighbour's ray is right as it is.
+  while (!left.empty() && left.back().is_sliver()) left.erase(left.size() - 1);
+  while (!right.empty() && right.front().is_sliver()) right.erase(0);
+  for (std::size_t i = std::min(split.right_begin, left.size() - 1); i < left.size(); ++i) editor_.renew_key(left, i);
+  for (std::size_t i = 0; i <= ties && i < right.size(); ++i) editor_.renew_key(right, i);
   carry(apex, std::move(left), true, depth, until);
   carry(apex, std::move(right), false, depth, until);
 }
