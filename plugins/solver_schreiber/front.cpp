@@ -272,6 +272,17 @@ Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
   return front;
 }
 
+void FrontEditor::unite(Front& front, Front other, double length) {
+  if (front.empty()) return front.swap(other);
+  if (other.empty()) return;
+  if (front.back().high(length) <= other.front().low(length)) return join(front, std::move(other), length);
+  if (other.back().high(length) <= front.front().low(length)) {
+    front.swap(other);
+    return join(front, std::move(other), length);
+  }
+  merge(front, other, length);
+}
+
 void FrontEditor::merge(Front& front, const Front& other, double length) {
   ++counts_.envelopes;
   front = front_of(nearest(pieces(front, length, 0), pieces(other, length, front.size())));

@@ -94,9 +94,7 @@ class Propagation {
     bool in_order;
   };
   Split split_at(const Apex& apex, Front& front, double until);
-  Split split_carefully(const Apex& apex, Front& front);
-  template <class Get>
-  static Split around(const Generator& g, std::size_t best, std::size_t count, const Apex& apex, Get&& get);
+  static Split around(const Generator& g, std::size_t best, const Front& front, const Apex& apex);
   void lower_apex(const Apex& apex, const Front& front, const Split& split);
   void lower_along_edges(const Apex& apex);
   void lower_apex_by(const Apex& apex, const Generator& g, double x, double distance);
@@ -122,7 +120,6 @@ class Propagation {
   std::vector<SeededFace> sources_;
   std::vector<Index> emitting_;
   std::vector<Arrival> arrivals_;
-  std::vector<Front> others_;
   std::vector<std::uint8_t> times_passed_;  ///< of each half-edge, up to 255
   std::vector<Index> passed_;               ///< half-edges with a number above 0
   bool keep_ = false;
