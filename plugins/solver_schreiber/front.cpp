@@ -140,7 +140,7 @@ void FrontEditor::join(Front& left, Front right, double length) {
     Generator a = left[end], b = right[0];
     Claim l = claim_of(a, length), r = claim_of(b, length);
     const Order order = settle(a, l, b, r);
-    if (order == Order::tangled) return merge(left, right, length);
+    if (order == Order::tangled) return merge(left, std::move(right), length);
     const bool cut = order == Order::cut;
     if (cut) a.set_high(l.high, 0), b.set_low(r.low, 0);
     if (order == Order::drop_left || l.empty() || a.is_sliver() ||
@@ -272,18 +272,9 @@ Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
   return front;
 }
 
-void FrontEditor::unite(Front& front, Front other, double length) {
-  if (front.empty()) return front.swap(other);
+void FrontEditor::merge(Front& front, Front other, double length) {
   if (other.empty()) return;
-  if (front.back().high(length) <= other.front().low(length)) return join(front, std::move(other), length);
-  if (other.back().high(length) <= front.front().low(length)) {
-    front.swap(other);
-    return join(front, std::move(other), length);
-  }
-  merge(front, other, length);
-}
-
-void FrontEditor::merge(Front& front, const Front& other, double length) {
+  if (front.empty()) return front.swap(other);
   ++counts_.envelopes;
   front = front_of(nearest(pieces(front, length, 0), pieces(other, length, front.size())));
 }

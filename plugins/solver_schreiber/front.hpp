@@ -67,9 +67,9 @@ class FrontEditor {
   /// Joins `right`, all rays of which enter to the right of those of `left`.
   void join(Front& left, Front right, double length);
 
-  /// Two fronts of which no order is known. If they have places beside each other they are joined in that order;
-  /// otherwise each has what is its own of the half-edge, which may come in pieces: O(n + m).
-  void unite(Front& front, Front other, double length);
+  /// Two fronts of which no order is known: each has what is its own of the half-edge, which may come in pieces. O(n +
+  /// m).
+  void merge(Front& front, Front other, double length);
 
   /// The generators in reversed order, seen from a half-edge that runs the other way.
   Front mirrored(const Front& front, double length);
@@ -84,7 +84,6 @@ class FrontEditor {
     std::size_t name;
   };
   using Pieces = std::vector<Piece>;
-  void merge(Front& front, const Front& other, double length);
   Pieces pieces(const Front& front, double length, std::size_t first_name) const;
   Front front_of(const std::vector<Piece>& pieces);
 

@@ -80,7 +80,8 @@ class Propagation {
 
   void next();
   void process(Index half_edge);
-  void pass(Index half_edge, Front front, Index depth);
+  void unite(Arrival& all, Arrival arrival, double length);
+  void pass(Index half_edge, Front front, Course course);
   void filter(Front& front, double length, double at_start, double at_end);
   void lower_watched(Index half_edge, const Front& front, double until);
   void count_pass(Index half_edge, std::size_t generators);
@@ -100,10 +101,10 @@ class Propagation {
   void lower_apex_by(const Apex& apex, const Generator& g, double x, double distance);
   void lower_apex_bent(const Apex& apex, const Generator& g);
 
-  void carry_on(const Apex& apex, Front front, const Split& split, Index depth, double until);
-  void carry_one_by_one(const Apex& apex, const Front& front, Index depth, double until);
-  void carry(const Apex& apex, Front front, bool to_left, Index depth, double until);
-  void hand_on(Front front, Index edge, Entry entry, Index depth);
+  void carry_on(const Apex& apex, Front front, const Split& split, const Course& course, double until);
+  void carry_one_by_one(const Apex& apex, const Front& front, const Course& course, double until);
+  void carry(const Apex& apex, Front front, bool to_left, Course course, double until);
+  void hand_on(Front front, Index edge, Entry entry, const Course& course);
 
   void emit(Index vertex);
   void emit_into(Index corner);
