@@ -261,15 +261,21 @@ FrontEditor::Pieces FrontEditor::pieces(const Front& front, double length, std::
 }
 
 Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
-  Front front(pool_);
+  std::vector<Generator> generators;
+  generators.reserve(pieces.size());
   for (const Piece& piece : pieces) {
     Generator g = piece.generator;
     g.set_low(piece.low, 0), g.set_high(piece.high, 0);
-    if (g.is_sliver()) continue;
-    front.append(Front(pool_, g));
+    if (!g.is_sliver()) generators.push_back(g);
   }
-  for (std::size_t i = 0; i < front.size(); ++i) renew_key(front, i);
-  return front;
+  return front_of(std::move(generators));
+}
+
+Front FrontEditor::front_of(std::vector<Generator> generators) {
+  for (std::size_t i = 0; i < generators.size(); ++i)
+    generators[i].key = lifetime(i > 0 ? &generators[i - 1] : nullptr, generators[i],
+                                 i + 1 < generators.size() ? &generators[i + 1] : nullptr);
+  return Front(pool_, std::span<const Generator>(generators));
 }
 
 void FrontEditor::merge(Front& front, Front other, double length) {
@@ -282,9 +288,8 @@ void FrontEditor::merge(Front& front, Front other, double length) {
 Front FrontEditor::mirrored(const Front& front, double length) {
   std::vector<Generator> reversed;
   front.for_each([&](const Generator& g) { reversed.push_back(g.mirrored(length)); });
-  Front result(pool_);
-  for (auto g = reversed.rbegin(); g != reversed.rend(); ++g) result.append(Front(pool_, *g));
-  return result;
+  std::reverse(reversed.begin(), reversed.end());
+  return Front(pool_, std::span<const Generator>(reversed));
 }
 
 }  // namespace geodrome::schreiber

@@ -71,6 +71,9 @@ class FrontEditor {
   /// m).
   void merge(Front& front, Front other, double length);
 
+  /// A front of generators in order, whose keys are computed. O(n).
+  Front front_of(std::vector<Generator> generators);
+
   /// The generators in reversed order, seen from a half-edge that runs the other way.
   Front mirrored(const Front& front, double length);
 

@@ -195,11 +195,13 @@ Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double 
   const Generator owner = front[best];
   Split split = around(owner, best, front, apex);
   const bool all = front.is_flat();
-  for (std::size_t i = front.size(); i-- > 0 && (all || front.least_key() <= until);) {
-    if (!all && front.key(i) > until) continue;
+  for (std::size_t i = 0; (i = all ? i : front.first_key_at_most(until, i)) < front.size();) {
     const Generator g = front[i];
     const bool is_left = i < split.right_begin, is_right = i >= split.left_end;
-    if (!(is_left && !g.has_left(x, y)) && !(is_right && !g.has_right(x, y))) continue;
+    if (!(is_left && !g.has_left(x, y)) && !(is_right && !g.has_right(x, y))) {
+      ++i;
+      continue;
+    }
     split.in_order = split.in_order && split.covered && !nearer(g.to(x, y), owner.to(x, y));
     if (!split.in_order) break;
     editor_.remove(front, i, {{}, apex.length});
@@ -345,24 +347,22 @@ void Propagation::carry_one_by_one(const Apex& apex, const Front& front, const C
     lower_apex_by(apex, all[i], all[i].x, all[i].to(x, y));
     if (best == all.size() || all[i].to(x, y) < all[best].to(x, y)) best = i;
   }
-  Front left(pool_), right(pool_);
+  std::vector<Generator> left, right;
   for (std::size_t i = 0; i < all.size(); ++i) {
     Generator g = all[i];
     const bool covers = g.covers(x, y), as_near = covers && g.to(x, y) <= all[best].to(x, y) * (1 + equal_share);
     if (g.has_left(x, y) && (!covers || i <= best || as_near)) {
       if (covers) g.set_high(x, y);
-      left.append(Front(pool_, g));
+      left.push_back(g);
     }
     g = all[i];
     if (g.has_right(x, y) && (!covers || i >= best || as_near)) {
       if (covers) g.set_low(x, y);
-      right.append(Front(pool_, g));
+      right.push_back(g);
     }
   }
-  for (std::size_t i = 0; i < left.size(); ++i) editor_.renew_key(left, i);
-  for (std::size_t i = 0; i < right.size(); ++i) editor_.renew_key(right, i);
-  carry(apex, std::move(left), true, course, until);
-  carry(apex, std::move(right), false, course, until);
+  carry(apex, editor_.front_of(std::move(left)), true, course, until);
+  carry(apex, editor_.front_of(std::move(right)), false, course, until);
   lower_along_edges(apex);
 }
 
