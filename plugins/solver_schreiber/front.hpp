@@ -54,8 +54,8 @@ class FrontEditor {
   void fit(Front& front, double length, const Before& before);
 
   /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
-  /// keys up to `until` can have.
-  void bury(Front& front, double length, double until, const Before& before);
+  /// keys up to `until` can have. True if there were some.
+  bool bury(Front& front, double length, double until, const Before& before);
 
   /// Turns a ray of generator i, which is `g`, to a point.
   static void aim_low(Front& front, std::size_t i, Generator g, double px, double py);

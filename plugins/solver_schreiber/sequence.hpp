@@ -77,6 +77,12 @@ class Sequence {
     }
     return Pool::items(node)[i].moved(motion);
   }
+  /// The same without a copy if it is one array; otherwise in `room`.
+  const Item& look(std::size_t i, Item& room) const {
+    if (root_->height == 0) return Pool::items(root_)[i];
+    room = (*this)[i];
+    return room;
+  }
   /// The same of its key alone.
   double key(std::size_t i) const {
     const Node* node = root_;
