@@ -27,6 +27,10 @@ class OwnerSearch {
   /// The same by binary search, where all but the outermost live, so that their boundaries are in order.
   void search(std::size_t first, std::size_t end) {
     std::size_t low = first, high = end - 1;
+    if (low < high && !right_of_boundary(first))  // most often the point is outside
+      high = first;
+    else if (low < high && right_of_boundary(end - 2))
+      low = high;
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
       if (right_of_boundary(middle))

@@ -42,6 +42,18 @@ void FrontEditor::renew_key(Front& front, std::size_t i) {
                             i + 1 < count ? &front.look(i + 1, right) : nullptr));
 }
 
+void FrontEditor::renew_seam(Front& front, std::size_t i) {
+  const std::size_t count = front.size();
+  if (i == 0 || i >= count) return renew_key(front, i == 0 ? 0 : count - 1);
+  Generator rooms[4];
+  const Generator* before = i > 1 ? &front.look(i - 2, rooms[0]) : nullptr;
+  const Generator* behind = i + 1 < count ? &front.look(i + 1, rooms[3]) : nullptr;
+  const Generator &left = front.look(i - 1, rooms[1]), &right = front.look(i, rooms[2]);
+  const double left_key = lifetime(before, left, &right), right_key = lifetime(&left, right, behind);
+  front.set_key(i - 1, left_key);
+  front.set_key(i, right_key);
+}
+
 void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
   ++counts_.events;
   const double length = before.length;
@@ -71,8 +83,7 @@ void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
       set_low(front, i, right);
     }
   }
-  if (!was_first) renew_key(front, i - 1);
-  renew_key(front, i);
+  renew_seam(front, i);
 }
 
 /// The ray of `g`, in the frame of the front, becomes that of generator i.
@@ -162,8 +173,7 @@ void FrontEditor::join(Front& left, Front right, double length) {
   const std::size_t seam = left.size();
   left.append(std::move(right));
   ++counts_.joins;
-  renew_key(left, seam - 1);
-  renew_key(left, seam);
+  renew_seam(left, seam);
 }
 
 namespace {

@@ -39,6 +39,9 @@ class FrontEditor {
   /// Computes the key of generator i, if there is one, after a neighbour of it changed.
   void renew_key(Front& front, std::size_t i);
 
+  /// Those of the generators before and behind place i, where they became neighbours or one became the outermost.
+  void renew_seam(Front& front, std::size_t i);
+
   /// A half-edge that a front comes from.
   struct Before {
     Motion back;  ///< to its frame

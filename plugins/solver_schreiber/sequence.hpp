@@ -118,12 +118,8 @@ class Sequence {
 
   /// Removes item i. O(log n).
   void erase(std::size_t i) {
-    if (root_->height == 0 && root_->count > 1) {
-      root_ = pool_->own(root_);
-      Item* items = Pool::items(root_);
-      std::copy(items + i + 1, items + root_->count, items + i);
-      --root_->count;
-      Pool::recount(root_);
+    if (leaf_of(i)->count > 1) {
+      root_ = without(root_, i);
       return;
     }
     Sequence rest = split(i);
@@ -215,6 +211,33 @@ class Sequence {
   }
   static const Node* first_leaf(const Node* node) {
     while (node->height > 0) node = Pool::inner(node).left;
+    return node;
+  }
+
+  const Node* leaf_of(std::size_t i) const {
+    const Node* node = root_;
+    while (node->height > 0) {
+      const auto& inner = Pool::inner(node);
+      const bool is_left = i < inner.left->count;
+      if (!is_left) i -= inner.left->count;
+      node = is_left ? inner.left : inner.right;
+    }
+    return node;
+  }
+
+  /// Precondition: the leaf of item i holds others.
+  Node* without(Node* node, std::size_t i) {
+    node = pool_->own(node);
+    if (node->height == 0) {
+      Item* items = Pool::items(node);
+      std::copy(items + i + 1, items + node->count, items + i);
+      --node->count;
+    } else {
+      auto& inner = Pool::inner(node);
+      const std::size_t middle = inner.left->count;
+      (i < middle ? inner.left : inner.right) = i < middle ? without(inner.left, i) : without(inner.right, i - middle);
+    }
+    Pool::recount(node);
     return node;
   }
 
