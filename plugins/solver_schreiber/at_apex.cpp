@@ -10,24 +10,20 @@
 namespace geodrome::schreiber {
 
 /// The generator that has the apex, and those that are as near up to rounding, go on to both sides, all others to their
-/// own: one angle, one split. If none can have died, by binary search.
-Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double until) {
-  if (front.is_flat() || front.least_key() <= until) return split_carefully(apex, front);
-  const std::size_t owner = owner_by_search(front, apex.x, apex.y);
-  return around(front[owner], owner, front.size(), apex, [&](std::size_t i) { return front[i]; });
-}
-
-/// The same with all looked at. One that has rays to the wrong side only died before the apex if it is not nearer to it
+/// own: one angle, one split. One that has rays to the wrong side only died before the apex if it is not nearer to it
 /// (the lemma of FrontEditor, at the apex), and goes; otherwise the front is out of order.
-Propagation::Split Propagation::split_carefully(const Apex& apex, Front& front) {
+Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double until) {
   const double x = apex.x, y = apex.y;
-  const Claimant all(front, x, y);
-  const Generator& owner = all[all.owner()];
-  Split split = around(owner, all.owner(), all.size(), apex, [&](std::size_t i) { return all[i]; });
-  for (std::size_t i = all.size(); i-- > 0;) {
+  const std::size_t best = owner_of(front, x, y, until);
+  const Generator owner = front[best];
+  Split split = around(owner, best, front, apex);
+  const bool all = front.is_flat();
+  for (std::size_t i = front.size(); i-- > 0 && (all || front.least_key() <= until);) {
+    if (!all && front.key(i) > until) continue;
+    const Generator g = front[i];
     const bool is_left = i < split.right_begin, is_right = i >= split.left_end;
-    if (!(is_left && !all[i].has_left(x, y)) && !(is_right && !all[i].has_right(x, y))) continue;
-    split.in_order = split.in_order && split.covered && !nearer(all[i].to(x, y), owner.to(x, y));
+    if (!(is_left && !g.has_left(x, y)) && !(is_right && !g.has_right(x, y))) continue;
+    split.in_order = split.in_order && split.covered && !nearer(g.to(x, y), owner.to(x, y));
     if (!split.in_order) break;
     editor_.remove(front, i, {{}, apex.length});
     if (is_left) --split.right_begin, --split.left_end;
@@ -35,10 +31,8 @@ Propagation::Split Propagation::split_carefully(const Apex& apex, Front& front) 
   return split;
 }
 
-/// The split at generator `best`, to which the apex belongs if it has a ray to it.
-template <class Get>
-Propagation::Split Propagation::around(const Generator& g, std::size_t best, std::size_t count, const Apex& apex,
-                                       Get&& get) {
+/// The split at generator `best`, which is `g`, to which the apex belongs if it has a ray to it.
+Propagation::Split Propagation::around(const Generator& g, std::size_t best, const Front& front, const Apex& apex) {
   const double x = apex.x, y = apex.y;
   if (!g.reaches(x, y)) {
     const std::size_t after = g.inside_high(x, y) ? best : best + 1;
@@ -47,8 +41,8 @@ Propagation::Split Propagation::around(const Generator& g, std::size_t best, std
   const double most = g.to(x, y) * (1 + equal_share);
   const auto is_as_near = [&](const Generator& other) { return other.reaches(x, y) && other.to(x, y) <= most; };
   Split split{best + 1, best, true, true};
-  while (split.right_begin > 0 && is_as_near(get(split.right_begin - 1))) --split.right_begin;
-  while (split.left_end < count && is_as_near(get(split.left_end))) ++split.left_end;
+  while (split.right_begin > 0 && is_as_near(front[split.right_begin - 1])) --split.right_begin;
+  while (split.left_end < front.size() && is_as_near(front[split.left_end])) ++split.left_end;
   return split;
 }
 

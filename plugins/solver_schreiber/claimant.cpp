@@ -2,43 +2,74 @@
 #include "solver_schreiber/claimant.hpp"
 
 namespace geodrome::schreiber {
+namespace {
 
-/// The owner has the point on the right of its boundary with the one before and on the left of that with the one
-/// behind. Where some died there can be several such; then what counts is which of those has it from the others.
-Claimant::Claimant(const Front& front, double px, double py) {
-  generators_.reserve(front.size());
-  front.for_each([this](const Generator& g) { generators_.push_back(g); });
-  std::size_t candidate = 0;
-  bool first = true;
-  for (std::size_t i = 0; i < generators_.size(); ++i) {
-    const bool is_last = i + 1 == generators_.size();
-    const bool goes_on = !is_last && right_has(generators_[i], generators_[i + 1], px, py);
-    if (!goes_on && candidate == i) {
-      if (first || right_has(generators_[owner_], generators_[i], px, py)) owner_ = i;
-      first = false;
+/// Looks for the owner of a point: a generator that has the point on the right of its boundary with the one before and
+/// on the left of that with the one behind. Where some died there can be several such; then what counts is which of
+/// those has it from the others.
+class OwnerSearch {
+ public:
+  OwnerSearch(const Front& front, double px, double py) : front_(front), px_(px), py_(py) {}
+
+  /// Looks at generators [first, end) one by one.
+  void walk(std::size_t first, std::size_t end) {
+    bool is_right = first == 0 || right_of_boundary(first - 1);
+    Generator g = front_[first];
+    for (std::size_t i = first; i < end; ++i) {
+      const bool is_last = i + 1 == front_.size();
+      const Generator next = is_last ? g : front_[i + 1];
+      const bool goes_on = !is_last && right_has(g, next, px_, py_);
+      if (is_right && !goes_on) add(i, g);
+      is_right = goes_on, g = next;
     }
-    if (goes_on) candidate = i + 1;
   }
-}
+  /// The same by binary search, where all but the outermost live, so that their boundaries are in order.
+  void search(std::size_t first, std::size_t end) {
+    std::size_t low = first, high = end - 1;
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (right_of_boundary(middle))
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    if (low == first && first > 0 && !right_of_boundary(first - 1)) return;
+    if (low + 1 == end && end < front_.size() && right_of_boundary(low)) return;
+    add(low, front_[low]);
+  }
 
-std::size_t owner_by_search(const Front& front, double px, double py) {
-  std::size_t low = 0, high = front.size() - 1;
-  while (low < high) {
-    const std::size_t middle = (low + high) / 2;
-    if (right_has(front[middle], front[middle + 1], px, py))
-      low = middle + 1;
-    else
-      high = middle;
-  }
-  return low;
-}
+  std::size_t owner() const { return owner_; }
 
-Generator owner_at(const Front& front, double px, double py, double until) {
-  if (front.is_flat() || front.least_key() <= until) {
-    const Claimant all(front, px, py);
-    return all[all.owner()];
+ private:
+  bool right_of_boundary(std::size_t i) const { return right_has(front_[i], front_[i + 1], px_, py_); }
+  void add(std::size_t i, const Generator& g) {
+    if (!found_ || right_has(best_, g, px_, py_)) owner_ = i, best_ = g;
+    found_ = true;
   }
-  return front[owner_by_search(front, px, py)];
+
+  const Front& front_;
+  double px_, py_;
+  std::size_t owner_ = 0;
+  Generator best_{};
+  bool found_ = false;
+};
+
+}  // namespace
+
+std::size_t owner_of(const Front& front, double px, double py, double until) {
+  OwnerSearch search(front, px, py);
+  const std::size_t size = front.size();
+  if (front.is_flat()) {
+    search.walk(0, size);
+    return search.owner();
+  }
+  for (std::size_t first = 0; first < size;) {
+    const std::size_t suspect = front.first_key_at_most(until, first);
+    if (first < suspect) search.search(first, suspect);
+    if (suspect < size) search.walk(suspect, suspect + 1);
+    first = suspect + 1;
+  }
+  return search.owner();
 }
 
 }  // namespace geodrome::schreiber

@@ -140,7 +140,7 @@ void FrontEditor::join(Front& left, Front right, double length) {
     Generator a = left[end], b = right[0];
     Claim l = claim_of(a, length), r = claim_of(b, length);
     const Order order = settle(a, l, b, r);
-    if (order == Order::tangled) return merge(left, right, length);
+    if (order == Order::tangled) return merge(left, std::move(right), length);
     const bool cut = order == Order::cut;
     if (cut) a.set_high(l.high, 0), b.set_low(r.low, 0);
     if (order == Order::drop_left || l.empty() || a.is_sliver() ||
@@ -272,7 +272,9 @@ Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
   return front;
 }
 
-void FrontEditor::merge(Front& front, const Front& other, double length) {
+void FrontEditor::merge(Front& front, Front other, double length) {
+  if (other.empty()) return;
+  if (front.empty()) return front.swap(other);
   ++counts_.envelopes;
   front = front_of(nearest(pieces(front, length, 0), pieces(other, length, front.size())));
 }

@@ -69,7 +69,7 @@ class FrontEditor {
 
   /// Two fronts of which no order is known: each has what is its own of the half-edge, which may come in pieces. O(n +
   /// m).
-  void merge(Front& front, const Front& other, double length);
+  void merge(Front& front, Front other, double length);
 
   /// The generators in reversed order, seen from a half-edge that runs the other way.
   Front mirrored(const Front& front, double length);

@@ -72,7 +72,7 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double 
   const Angle to_low = angle_of(-to_end, from.y), to_high = angle_of(from.x, from.y);
   const Generator g{apex.length - from.x, -from.y,      from.sigma, to_low.cosine, to_low.sine,
                     to_high.cosine,       to_high.sine, infinity,   from.origin};
-  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, 1);
+  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, Course::begin());
 }
 
 void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
@@ -80,26 +80,40 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
   VertexPropagation::seed_face(at, source, number);
 }
 
-/// Carries on what came to a half-edge as one front: one of each entry in their order, the others merged into them.
+/// Carries on what came to a half-edge as one front: those of one entry together, then these in their order.
 void Propagation::process(Index half_edge) {
   const double length = surface_.length(half_edge);
-  std::array<Arrival*, 3> ordered{};
-  others_.clear();
-  Index depth = no_index;
-  for (Arrival& arrival : arrivals_) {
-    depth = std::min(depth, arrival.depth);
-    const auto entry = static_cast<std::size_t>(arrival.entry);
-    if (arrival.entry == Entry::loose || ordered[entry])
-      others_.push_back(std::move(arrival.front));
-    else
-      ordered[entry] = &arrival;
-  }
   Front front(pool_);
-  for (Arrival* arrival : ordered)
-    if (arrival) editor_.join(front, std::move(arrival->front), length);
+  Course course{no_index, Entry::loose, Entry::left};
+  for (const Entry entry : {Entry::left, Entry::apex, Entry::right, Entry::loose}) {
+    Arrival same{Front(pool_), entry, {no_index, Entry::loose, Entry::left, Course::infinity, -Course::infinity}};
+    for (Arrival& arrival : arrivals_)
+      if (arrival.entry == entry) unite(same, std::move(arrival), length);
+    if (same.course.depth == no_index) continue;
+    const bool is_loose = entry == Entry::loose;
+    course.depth = std::min(course.depth, same.course.depth);
+    course.first = is_loose ? Entry::left : std::min(course.first, entry);
+    course.last = entry;
+    if (is_loose)
+      editor_.merge(front, std::move(same.front), length);
+    else
+      editor_.join(front, std::move(same.front), length);
+  }
   arrivals_.clear();
-  for (Front& other : others_) editor_.merge(front, other, length);
-  if (!front.empty()) pass(half_edge, std::move(front), depth);
+  if (!front.empty()) pass(half_edge, std::move(front), course);
+}
+
+/// Fronts that came through the same half-edge.
+void Propagation::unite(Arrival& all, Arrival arrival, double length) {
+  if (arrival.course.is_left_of(all.course)) {
+    editor_.join(arrival.front, std::move(all.front), length);
+    all.front.swap(arrival.front);
+  } else if (all.course.is_left_of(arrival.course)) {
+    editor_.join(all.front, std::move(arrival.front), length);
+  } else {
+    editor_.merge(all.front, std::move(arrival.front), length);
+  }
+  all.course = all.course.with(arrival.course);
 }
 
 void Propagation::count_pass(Index half_edge, std::size_t generators) {
@@ -114,7 +128,7 @@ void Propagation::count_pass(Index half_edge, std::size_t generators) {
 }
 
 /// Carries a front across the face of a half-edge.
-void Propagation::pass(Index half_edge, Front front, Index depth) {
+void Propagation::pass(Index half_edge, Front front, Course course) {
   const Apex apex(surface_, half_edge);
   filter(front, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
   if (front.empty()) return;
@@ -125,11 +139,12 @@ void Propagation::pass(Index half_edge, Front front, Index depth) {
   // No point of the face that belongs to the front is farther; so nothing dies in it that does not die before.
   const double until = (0.5 * (ends.at_low + ends.at_high + (ends.high - ends.low)) + widest) * (1 + event_margin);
   if (!watched_.empty()) lower_watched(half_edge, front, until);
-  if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
+  if (course.depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
   const Split split = split_at(apex, front, until);
-  if (!split.in_order) return carry_one_by_one(apex, front, depth + 1, until);
+  ++course.depth;
+  if (!split.in_order) return carry_one_by_one(apex, front, course, until);
   lower_apex(apex, front, split);
-  carry_on(apex, std::move(front), split, depth + 1, until);
+  carry_on(apex, std::move(front), split, course, until);
 }
 
 /// Xin and Wang's filter, and what follows from it: |image x| - x falls along the half-edge, so where the way over its
@@ -173,7 +188,7 @@ void Propagation::lower_watched(Index half_edge, const Front& front, double unti
 // ---------------------------------------------------------------------------------------------------------------------
 // Across a face
 
-void Propagation::carry_on(const Apex& apex, Front front, const Split& split, Index depth, double until) {
+void Propagation::carry_on(const Apex& apex, Front front, const Split& split, const Course& course, double until) {
   Front right = front.split(split.right_begin);
   Front left = std::move(front);
   editor_.counts().splits += split.covered;
@@ -200,13 +215,13 @@ void Propagation::carry_on(const Apex& apex, Front front, const Split& split, In
   while (!right.empty() && right.front().is_sliver()) right.erase(0);
   for (std::size_t i = std::min(split.right_begin, left.size() - 1); i < left.size(); ++i) editor_.renew_key(left, i);
   for (std::size_t i = 0; i <= ties && i < right.size(); ++i) editor_.renew_key(right, i);
-  carry(apex, std::move(left), true, depth, until);
-  carry(apex, std::move(right), false, depth, until);
+  carry(apex, std::move(left), true, course, until);
+  carry(apex, std::move(right), false, course, until);
 }
 
 /// A front that is no longer in order at the apex: each generator, with what it has of the half-edge, on its own to the
 /// sides to which it has rays.
-void Propagation::carry_one_by_one(const Apex& apex, const Front& front, Index depth, double until) {
+void Propagation::carry_one_by_one(const Apex& apex, const Front& front, const Course& course, double until) {
   ++counts_.tangled;
   const double x = apex.x, y = apex.y;
   std::vector<Generator> all;
@@ -236,17 +251,18 @@ void Propagation::carry_one_by_one(const Apex& apex, const Front& front, Index d
   }
   for (std::size_t i = 0; i < left.size(); ++i) editor_.renew_key(left, i);
   for (std::size_t i = 0; i < right.size(); ++i) editor_.renew_key(right, i);
-  carry(apex, std::move(left), true, depth, until);
-  carry(apex, std::move(right), false, depth, until);
+  carry(apex, std::move(left), true, course, until);
+  carry(apex, std::move(right), false, course, until);
   lower_along_edges(apex);
 }
 
 /// Hands on what goes through the left or right edge of a face.
-void Propagation::carry(const Apex& apex, Front front, bool to_left, Index depth, double until) {
+void Propagation::carry(const Apex& apex, Front front, bool to_left, Course course, double until) {
   if (front.empty() || (to_left ? apex.left_is_boundary() : apex.right_is_boundary())) return;
   const double cosine = apex.face.cosine[to_left ? apex.a : apex.b], sine = apex.face.sine[to_left ? apex.a : apex.b];
   const Motion turn = to_left ? Motion{cosine, -sine, 0, 0}
                               : Motion{cosine, sine, apex.right_length() - cosine * apex.length, -sine * apex.length};
+  course.low = front.front().low(apex.length), course.high = front.back().high(apex.length);
   front.move(turn);
   const double length = to_left ? apex.left_length() : apex.right_length();
   const FrontEditor::Before before{turn.inverse(), apex.length};
@@ -254,11 +270,11 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Index depth
   editor_.bury(front, length, until, before);
   editor_.fit(front, length, before);
   if (front.empty()) return;
-  hand_on(std::move(front), to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, depth);
+  hand_on(std::move(front), to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, course);
 }
 
 /// Lets a front wait at every other half-edge on an edge. It is in the frame of one that runs against `edge`.
-void Propagation::hand_on(Front front, Index edge, Entry entry, Index depth) {
+void Propagation::hand_on(Front front, Index edge, Entry entry, const Course& course) {
   const double length = surface_.length(edge);
   const Ends ends = ends_of(front, length);
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
@@ -267,8 +283,9 @@ void Propagation::hand_on(Front front, Index edge, Entry entry, Index depth) {
   if (surface_.is_fan(edge)) entry = Entry::loose;
   surface_.for_each_across(edge, [&](Index half_edge, bool same_way) {
     Front own = same_way ? editor_.mirrored(front, length) : front;
-    if (at_once) return pass(half_edge, std::move(own), depth);
-    waiting_.push(half_edge, near + patience * length, {std::move(own), depth, same_way ? mirrored(entry) : entry});
+    if (at_once) return pass(half_edge, std::move(own), course);
+    waiting_.push(half_edge, near + patience * length,
+                  {std::move(own), same_way ? mirrored(entry) : entry, same_way ? course.mirrored() : course});
   });
 }
 

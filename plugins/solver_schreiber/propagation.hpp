@@ -62,7 +62,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void seed_face(const SurfacePoint& at, const Source& source, Index number);
 
   void process(Index half_edge);
-  void pass(Index half_edge, Front front, Index depth);
+  void unite(Arrival& all, Arrival arrival, double length);
+  void pass(Index half_edge, Front front, Course course);
   void filter(Front& front, double length, double at_start, double at_end);
   void lower_watched(Index half_edge, const Front& front, double until);
   void count_pass(Index half_edge, std::size_t generators);
@@ -73,17 +74,15 @@ class Propagation : public VertexPropagation<Propagation, Step> {
     bool in_order;
   };
   Split split_at(const Apex& apex, Front& front, double until);
-  Split split_carefully(const Apex& apex, Front& front);
-  template <class Get>
-  static Split around(const Generator& g, std::size_t best, std::size_t count, const Apex& apex, Get&& get);
+  static Split around(const Generator& g, std::size_t best, const Front& front, const Apex& apex);
   void lower_apex(const Apex& apex, const Front& front, const Split& split);
   void lower_apex_by(const Apex& apex, const Generator& g, double x, double distance);
   void lower_apex_bent(const Apex& apex, const Generator& g);
 
-  void carry_on(const Apex& apex, Front front, const Split& split, Index depth, double until);
-  void carry_one_by_one(const Apex& apex, const Front& front, Index depth, double until);
-  void carry(const Apex& apex, Front front, bool to_left, Index depth, double until);
-  void hand_on(Front front, Index edge, Entry entry, Index depth);
+  void carry_on(const Apex& apex, Front front, const Split& split, const Course& course, double until);
+  void carry_one_by_one(const Apex& apex, const Front& front, const Course& course, double until);
+  void carry(const Apex& apex, Front front, bool to_left, Course course, double until);
+  void hand_on(Front front, Index edge, Entry entry, const Course& course);
 
   FrontPool pool_;
   FrontEditor editor_;
@@ -91,7 +90,6 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   KeptFronts kept_;
   std::vector<SeededFace> sources_;
   std::vector<Arrival> arrivals_;
-  std::vector<Front> others_;
   std::vector<std::uint8_t> times_passed_;  ///< of each half-edge, up to 255
   std::vector<Index> passed_;               ///< half-edges with a number above 0
   Counts counts_;

@@ -65,6 +65,17 @@ class Sequence {
     }
     return Pool::items(node)[i].moved(motion);
   }
+  /// The same of its key alone.
+  double key(std::size_t i) const {
+    const Node* node = root_;
+    while (node->height > 0) {
+      const auto& inner = Pool::inner(node);
+      const bool is_left = i < inner.left->count;
+      if (!is_left) i -= inner.left->count;
+      node = is_left ? inner.left : inner.right;
+    }
+    return Pool::items(node)[i].key;
+  }
   Item front() const { return (*this)[0]; }
   Item back() const { return (*this)[size() - 1]; }
 

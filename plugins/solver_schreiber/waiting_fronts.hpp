@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -10,11 +12,31 @@
 
 namespace geodrome::schreiber {
 
+/// How a front came to a half-edge.
+struct Course {
+  Index depth;                              ///< faces crossed since the pseudo-source, at least
+  Entry first, last;                        ///< it came to the half-edge before from these sides and from those between
+  double low = -infinity, high = infinity;  ///< what it had of the half-edge before
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  /// From a pseudo-source.
+  static Course begin() { return {1, Entry::left, Entry::loose}; }
+  /// Whether its rays crossed the half-edge before to the left of those of another front that came through it.
+  bool is_left_of(const Course& other) const { return last < other.first || high <= other.low; }
+  /// Seen from a half-edge that runs the other way.
+  Course mirrored() const { return {depth, Entry::left, Entry::loose, -high, -low}; }
+  /// Of two fronts that became one.
+  Course with(const Course& other) const {
+    return {std::min(depth, other.depth), std::min(first, other.first), std::max(last, other.last),
+            std::min(low, other.low), std::max(high, other.high)};
+  }
+};
+
 /// A front that waits at a half-edge.
 struct Arrival {
   Front front;
-  Index depth;  ///< faces crossed since the pseudo-source, at least
   Entry entry;
+  Course course;
 };
 
 /// What waits: fronts at half-edges and vertices that are to emit, in a queue, nearest first.
