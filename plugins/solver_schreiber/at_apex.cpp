@@ -18,11 +18,14 @@ Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double 
   const Generator owner = front[best];
   Split split = around(owner, best, front, apex);
   const bool all = front.is_flat();
-  for (std::size_t i = front.size(); i-- > 0 && (all || front.least_key() <= until);) {
-    if (!all && front.key(i) > until) continue;
-    const Generator g = front[i];
+  Generator room;
+  for (std::size_t i = 0; (i = all ? i : front.first_key_at_most(until, i)) < front.size();) {
+    const Generator& g = front.look(i, room);
     const bool is_left = i < split.right_begin, is_right = i >= split.left_end;
-    if (!(is_left && !g.has_left(x, y)) && !(is_right && !g.has_right(x, y))) continue;
+    if (!(is_left && !g.has_left(x, y)) && !(is_right && !g.has_right(x, y))) {
+      ++i;
+      continue;
+    }
     split.in_order = split.in_order && split.covered && !nearer(g.to(x, y), owner.to(x, y));
     if (!split.in_order) break;
     editor_.remove(front, i, {{}, apex.length});

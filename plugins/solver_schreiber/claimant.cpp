@@ -14,12 +14,13 @@ class OwnerSearch {
   /// Looks at generators [first, end) one by one.
   void walk(std::size_t first, std::size_t end) {
     bool is_right = first == 0 || right_of_boundary(first - 1);
-    Generator g = front_[first];
+    Generator rooms[2];
+    const Generator* g = &front_.look(first, rooms[0]);
     for (std::size_t i = first; i < end; ++i) {
       const bool is_last = i + 1 == front_.size();
-      const Generator next = is_last ? g : front_[i + 1];
-      const bool goes_on = !is_last && right_has(g, next, px_, py_);
-      if (is_right && !goes_on) add(i, g);
+      const Generator* next = is_last ? g : &front_.look(i + 1, rooms[(i + 1 - first) % 2]);
+      const bool goes_on = !is_last && right_has(*g, *next, px_, py_);
+      if (is_right && !goes_on) add(i, *g);
       is_right = goes_on, g = next;
     }
   }
@@ -41,7 +42,10 @@ class OwnerSearch {
   std::size_t owner() const { return owner_; }
 
  private:
-  bool right_of_boundary(std::size_t i) const { return right_has(front_[i], front_[i + 1], px_, py_); }
+  bool right_of_boundary(std::size_t i) const {
+    Generator left, right;
+    return right_has(front_.look(i, left), front_.look(i + 1, right), px_, py_);
+  }
   void add(std::size_t i, const Generator& g) {
     if (!found_ || right_has(best_, g, px_, py_)) owner_ = i, best_ = g;
     found_ = true;

@@ -15,16 +15,17 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Whether generator i has nothing of the half-edge between its neighbours.
 bool is_dead(const Front& front, std::size_t i, double length) {
-  const Generator g = front[i];
+  Generator rooms[3];
+  const Generator& g = front.look(i, rooms[0]);
   Claim claim = claim_of(g, length);
   if (g.is_sliver() || claim.empty()) return true;
   if (i > 0) {
-    const Generator left = front[i - 1];
+    const Generator& left = front.look(i - 1, rooms[1]);
     Claim other = claim_of(left, length);
     if (settle(left, other, g, claim) == Order::drop_right || claim.empty()) return true;
   }
   if (i + 1 < front.size()) {
-    const Generator right = front[i + 1];
+    const Generator& right = front.look(i + 1, rooms[2]);
     Claim other = claim_of(right, length);
     if (settle(g, claim, right, other) == Order::drop_left || claim.empty()) return true;
   }
@@ -36,10 +37,9 @@ bool is_dead(const Front& front, std::size_t i, double length) {
 void FrontEditor::renew_key(Front& front, std::size_t i) {
   const std::size_t count = front.size();
   if (i >= count) return;
-  Generator left, right;
-  if (i > 0) left = front[i - 1];
-  if (i + 1 < count) right = front[i + 1];
-  front.set_key(i, lifetime(i > 0 ? &left : nullptr, front[i], i + 1 < count ? &right : nullptr));
+  Generator left, middle, right;
+  front.set_key(i, lifetime(i > 0 ? &front.look(i - 1, left) : nullptr, front.look(i, middle),
+                            i + 1 < count ? &front.look(i + 1, right) : nullptr));
 }
 
 void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
@@ -97,25 +97,27 @@ void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, 
 }
 
 void FrontEditor::fit(Front& front, double length, const Before& before) {
+  Generator room;
   const auto is_outside = [length](const Generator& g) { return g.is_sliver() || claim_of(g, length).empty(); };
-  while (!front.empty() && is_outside(front.back())) remove(front, front.size() - 1, before);
-  while (!front.empty() && is_outside(front.front())) remove(front, 0, before);
+  while (!front.empty() && is_outside(front.look(front.size() - 1, room))) remove(front, front.size() - 1, before);
+  while (!front.empty() && is_outside(front.look(0, room))) remove(front, 0, before);
   if (front.empty()) return;
-  const std::size_t end = front.size() - 1;
-  const Generator first = front[0];
-  if (first.has_left(0, 0)) {
+  const Generator& first = front.look(0, room);
+  if (first.passes_low(0)) {
     aim_low(front, 0, first, 0, 0);
     renew_key(front, 0);
   }
-  const Generator last = front[end];
-  if (last.has_right(length, 0)) {
+  const std::size_t end = front.size() - 1;
+  const Generator& last = front.look(end, room);
+  if (last.passes_high(length)) {
     aim_high(front, end, last, length, 0);
     renew_key(front, end);
   }
 }
 
 /// In the order in which they can have died: one that died must not be taken for a neighbour of others.
-void FrontEditor::bury(Front& front, double length, double until, const Before& before) {
+bool FrontEditor::bury(Front& front, double length, double until, const Before& before) {
+  const std::uint64_t events = counts_.events;
   suspects_.clear();
   const auto suspect = [&](std::size_t i) {
     if (i < front.size() && front[i].key <= until) suspects_.push_back({front[i].key, i});
@@ -132,6 +134,7 @@ void FrontEditor::bury(Front& front, double length, double until, const Before& 
     if (i > 0) suspect(i - 1);
     suspect(i);
   }
+  return counts_.events > events;
 }
 
 void FrontEditor::join(Front& left, Front right, double length) {
@@ -261,15 +264,21 @@ FrontEditor::Pieces FrontEditor::pieces(const Front& front, double length, std::
 }
 
 Front FrontEditor::front_of(const std::vector<Piece>& pieces) {
-  Front front(pool_);
+  std::vector<Generator> generators;
+  generators.reserve(pieces.size());
   for (const Piece& piece : pieces) {
     Generator g = piece.generator;
     g.set_low(piece.low, 0), g.set_high(piece.high, 0);
-    if (g.is_sliver()) continue;
-    front.append(Front(pool_, g));
+    if (!g.is_sliver()) generators.push_back(g);
   }
-  for (std::size_t i = 0; i < front.size(); ++i) renew_key(front, i);
-  return front;
+  return front_of(std::move(generators));
+}
+
+Front FrontEditor::front_of(std::vector<Generator> generators) {
+  for (std::size_t i = 0; i < generators.size(); ++i)
+    generators[i].key = lifetime(i > 0 ? &generators[i - 1] : nullptr, generators[i],
+                                 i + 1 < generators.size() ? &generators[i + 1] : nullptr);
+  return Front(pool_, std::span<const Generator>(generators));
 }
 
 void FrontEditor::merge(Front& front, Front other, double length) {
@@ -282,9 +291,8 @@ void FrontEditor::merge(Front& front, Front other, double length) {
 Front FrontEditor::mirrored(const Front& front, double length) {
   std::vector<Generator> reversed;
   front.for_each([&](const Generator& g) { reversed.push_back(g.mirrored(length)); });
-  Front result(pool_);
-  for (auto g = reversed.rbegin(); g != reversed.rend(); ++g) result.append(Front(pool_, *g));
-  return result;
+  std::reverse(reversed.begin(), reversed.end());
+  return Front(pool_, std::span<const Generator>(reversed));
 }
 
 }  // namespace geodrome::schreiber

@@ -54,8 +54,8 @@ class FrontEditor {
   void fit(Front& front, double length, const Before& before);
 
   /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
-  /// keys up to `until` can have.
-  void bury(Front& front, double length, double until, const Before& before);
+  /// keys up to `until` can have. True if there were some.
+  bool bury(Front& front, double length, double until, const Before& before);
 
   /// Turns a ray of generator i, which is `g`, to a point.
   static void aim_low(Front& front, std::size_t i, Generator g, double px, double py);
@@ -70,6 +70,9 @@ class FrontEditor {
   /// Two fronts of which no order is known: each has what is its own of the half-edge, which may come in pieces. O(n +
   /// m).
   void merge(Front& front, Front other, double length);
+
+  /// A front of generators in order, whose keys are computed. O(n).
+  Front front_of(std::vector<Generator> generators);
 
   /// The generators in reversed order, seen from a half-edge that runs the other way.
   Front mirrored(const Front& front, double length);

@@ -56,6 +56,10 @@ struct Generator {
   bool has_left(double px, double py) const { return low_x * (py - y) - low_y * (px - x) < 0; }
   bool has_right(double px, double py) const { return high_x * (py - y) - high_y * (px - x) > 0; }
 
+  /// Whether a ray meets the half-edge beyond a place, by more than rounding.
+  bool passes_low(double place) const { return low_y * (place - x) + low_x * y > rounding(place); }
+  bool passes_high(double place) const { return high_y * (x - place) - high_x * y > rounding(place); }
+
   /// Whether its rays are one, but for rounding.
   bool is_sliver() const {
     return high_x * low_x + high_y * low_y > 0 &&
@@ -70,13 +74,16 @@ struct Generator {
   void set_high(double px, double py) { aim(high_x, high_y, px, py); }
 
  private:
+  double rounding(double place) const {
+    return 2 * std::numeric_limits<double>::epsilon() * (std::abs(place) + std::abs(x) + std::abs(y));
+  }
   /// A point at distance `beyond` from a ray, if positive.
   bool is_reached(double beyond, double dx, double dy, double px, double py) const {
     constexpr double too_far = 1e-7;  // for its square, at least by which the bent way is longer, to be rounding
     if (beyond <= 0) return true;
     if (beyond > too_far * (std::abs(px - x) + std::abs(py - y)) || !(dy > 0)) return false;
-    const double along = -y / dy, after = std::hypot(px - (x + along * dx), py);
-    return along + after <= (1 + equal_share) * std::hypot(px - x, py - y);
+    const double along = -y / dy, off = px - (x + along * dx);
+    return along + std::sqrt(off * off + py * py) <= (1 + equal_share) * (to(px, py) - sigma);
   }
   double place(double dx, double dy, double length) const {
     if (dy > 0) return std::clamp(x + dx * (std::max(0.0, -y) / dy), 0.0, length);
@@ -85,7 +92,7 @@ struct Generator {
   /// A point at the image itself, but for rounding, leaves the ray as it is.
   void aim(double& dx, double& dy, double px, double py) const {
     constexpr double same_place = 3e-11;
-    const double size = std::hypot(px - x, py - y);
+    const double size = std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
     if (size > same_place * (std::abs(px) + std::abs(x) + std::abs(y))) dx = (px - x) / size, dy = (py - y) / size;
   }
 };

@@ -77,7 +77,7 @@ double lifetime(const Generator* left, const Generator& g, const Generator* righ
   std::array<double, 4> u;
   const int count = best < infinity ? Rival::crossings(a, b, u) : 0;
   for (int i = 0; i < count; ++i) {
-    const double size = std::hypot(u[2 * i], u[2 * i + 1]);
+    const double size = std::sqrt(u[2 * i] * u[2 * i] + u[2 * i + 1] * u[2 * i + 1]);
     if (!(size > 0)) continue;
     const double ux = u[2 * i] / size, uy = u[2 * i + 1] / size;
     if (in_wedge(g, ux, uy)) try_ray(ux, uy);

@@ -34,7 +34,8 @@ struct Ends {
   double low, high, at_low, at_high;
 };
 Ends ends_of(const Front& front, double length) {
-  const Generator first = front.front(), last = front.back();
+  Generator rooms[2];
+  const Generator &first = front.look(0, rooms[0]), &last = front.look(front.size() - 1, rooms[1]);
   const double low = first.low(length), high = last.high(length);
   return {low, high, first.at(low), last.at(high)};
 }
@@ -82,6 +83,13 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
 
 /// Carries on what came to a half-edge as one front: those of one entry together, then these in their order.
 void Propagation::process(Index half_edge) {
+  if (arrivals_.size() == 1) {
+    Arrival arrival = std::move(arrivals_.front());
+    arrivals_.clear();
+    arrival.course.first = arrival.entry == Entry::loose ? Entry::left : arrival.entry;
+    arrival.course.last = arrival.entry;
+    return pass(half_edge, std::move(arrival.front), arrival.course);
+  }
   const double length = surface_.length(half_edge);
   Front front(pool_);
   Course course{no_index, Entry::loose, Entry::left};
@@ -151,12 +159,13 @@ void Propagation::pass(Index half_edge, Front front, Course course) {
 /// start is shorter at x it is shorter at everything before x too; likewise at the end.
 void Propagation::filter(Front& front, double length, double at_start, double at_end) {
   const auto longer = [](double way, double other) { return way > other + rounding * way; };
+  Generator rooms[2];
   while (!front.empty()) {
-    const Generator g = front[0];
+    const Generator& g = front.look(0, rooms[0]);
     Claim claim = claim_of(g, length);
     if (!longer(g.at(claim.low), at_start + claim.low)) break;
     if (front.size() > 1) {
-      const Generator next = front[1];
+      const Generator& next = front.look(1, rooms[1]);
       Claim other = claim_of(next, length);
       settle(g, claim, next, other);
     }
@@ -164,11 +173,11 @@ void Propagation::filter(Front& front, double length, double at_start, double at
     editor_.remove(front, 0, {{}, length});
   }
   while (!front.empty()) {
-    const Generator g = front.back();
+    const Generator& g = front.look(front.size() - 1, rooms[0]);
     Claim claim = claim_of(g, length);
     if (!longer(g.at(claim.high), at_end + (length - claim.high))) break;
     if (front.size() > 1) {
-      const Generator next = front[front.size() - 2];
+      const Generator& next = front.look(front.size() - 2, rooms[1]);
       Claim other = claim_of(next, length);
       settle(next, other, g, claim);
     }
@@ -196,15 +205,16 @@ void Propagation::carry_on(const Apex& apex, Front front, const Split& split, co
   for (std::size_t i = 0; i < ties; ++i) left.append(Front(pool_, right[i]));
   // Rays on the wrong side of the apex are not needed, and would pass it there.
   const bool all = left.is_flat() && right.is_flat();
+  Generator room;
   for (std::size_t i = left.size(); i-- > 0;) {
-    const Generator g = left[i];
+    const Generator& g = left.look(i, room);
     if (g.has_right(apex.x, apex.y))
       editor_.aim_high(left, i, g, apex.x, apex.y);
     else if (!all)
       break;
   }
   for (std::size_t i = 0; i < right.size(); ++i) {
-    const Generator g = right[i];
+    const Generator& g = right.look(i, room);
     if (g.has_left(apex.x, apex.y))
       editor_.aim_low(right, i, g, apex.x, apex.y);
     else if (!all)
@@ -235,24 +245,22 @@ void Propagation::carry_one_by_one(const Apex& apex, const Front& front, const C
     lower_apex_by(apex, all[i], all[i].x, all[i].to(x, y));
     if (best == all.size() || all[i].to(x, y) < all[best].to(x, y)) best = i;
   }
-  Front left(pool_), right(pool_);
+  std::vector<Generator> left, right;
   for (std::size_t i = 0; i < all.size(); ++i) {
     Generator g = all[i];
     const bool covers = g.covers(x, y), as_near = covers && g.to(x, y) <= all[best].to(x, y) * (1 + equal_share);
     if (g.has_left(x, y) && (!covers || i <= best || as_near)) {
       if (covers) g.set_high(x, y);
-      left.append(Front(pool_, g));
+      left.push_back(g);
     }
     g = all[i];
     if (g.has_right(x, y) && (!covers || i >= best || as_near)) {
       if (covers) g.set_low(x, y);
-      right.append(Front(pool_, g));
+      right.push_back(g);
     }
   }
-  for (std::size_t i = 0; i < left.size(); ++i) editor_.renew_key(left, i);
-  for (std::size_t i = 0; i < right.size(); ++i) editor_.renew_key(right, i);
-  carry(apex, std::move(left), true, course, until);
-  carry(apex, std::move(right), false, course, until);
+  carry(apex, editor_.front_of(std::move(left)), true, course, until);
+  carry(apex, editor_.front_of(std::move(right)), false, course, until);
   lower_along_edges(apex);
 }
 
@@ -267,8 +275,7 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Course cour
   const double length = to_left ? apex.left_length() : apex.right_length();
   const FrontEditor::Before before{turn.inverse(), apex.length};
   editor_.fit(front, length, before);
-  editor_.bury(front, length, until, before);
-  editor_.fit(front, length, before);
+  if (editor_.bury(front, length, until, before)) editor_.fit(front, length, before);
   if (front.empty()) return;
   hand_on(std::move(front), to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, course);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <utility>
 
 #include "solver_schreiber/node_pool.hpp"
@@ -27,6 +28,10 @@ class Sequence {
     Pool::items(root_)[0] = item;
     Pool::recount(root_);
   }
+  /// Of many items at once. O(n).
+  Sequence(Pool& pool, std::span<const Item> items) : pool_(&pool) {
+    if (!items.empty()) root_ = built(items);
+  }
   Sequence(const Sequence& other) : pool_(other.pool_), root_(other.root_), motion_(other.motion_) {
     if (root_) ++root_->references;
   }
@@ -46,12 +51,19 @@ class Sequence {
   /// Whether it is one array, so that walking along it is as fast as anything.
   bool is_flat() const { return !root_ || root_->height == 0; }
 
-  /// O(1).
-  void move(const Motion& motion) { motion_ = motion * motion_; }
+  /// The items, if it is one array.
+  const Item* array() const { return Pool::items(root_); }
+
+  /// O(1) for trees; arrays are moved as they are, so that their items can be read where they lie.
+  void move(const Motion& motion) {
+    motion_ = motion * motion_;
+    if (is_flat()) settle();
+  }
 
   /// O(log n).
   Item operator[](std::size_t i) const {
     const Node* node = root_;
+    if (node->height == 0) return Pool::items(node)[i];
     Motion motion = motion_;
     while (node->height > 0) {
       const auto& inner = Pool::inner(node);
@@ -64,6 +76,12 @@ class Sequence {
       }
     }
     return Pool::items(node)[i].moved(motion);
+  }
+  /// The same without a copy if it is one array; otherwise in `room`.
+  const Item& look(std::size_t i, Item& room) const {
+    if (root_->height == 0) return Pool::items(root_)[i];
+    room = (*this)[i];
+    return room;
   }
   /// The same of its key alone.
   double key(std::size_t i) const {
@@ -122,9 +140,13 @@ class Sequence {
       swap(rest);
       return rest;
     }
+    const bool was_flat = is_flat();
     const Halves halves = split_node(std::exchange(root_, nullptr), i);
     root_ = halves.left;
     rest.root_ = halves.right, rest.motion_ = motion_ * halves.motion;
+    if (was_flat) return rest;
+    if (is_flat()) settle();
+    if (rest.is_flat()) rest.settle();
     return rest;
   }
 
@@ -152,6 +174,15 @@ class Sequence {
     Node *left, *right;
     Motion motion;  // from the frame of the right one to that of the left one
   };
+
+  /// Brings an array into the frame of the sequence.
+  void settle() {
+    if (!root_) return;
+    root_ = pool_->own(root_);
+    Item* items = Pool::items(root_);
+    for (std::size_t i = 0; i < root_->count; ++i) items[i] = items[i].moved(motion_);
+    motion_ = {};
+  }
 
   template <class Visit>
   static void walk(const Node* node, const Motion& motion, Visit& visit) {
@@ -201,6 +232,18 @@ class Sequence {
     }
     Pool::recount(node);
     return node;
+  }
+
+  Node* built(std::span<const Item> items) {
+    if (items.size() > Pool::leaf_size) {
+      const std::size_t half = items.size() / 2;
+      Node* left = built(items.first(half));
+      return pool_->inner(left, built(items.subspan(half)), {});
+    }
+    Node* leaf = pool_->leaf(items.size());
+    std::copy(items.begin(), items.end(), Pool::items(leaf));
+    Pool::recount(leaf);
+    return leaf;
   }
 
   // The functions below take over the reference to every node that they get.
