@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "common/solvers/bisector.hpp"
-#include "common/solvers/emission.hpp"
 
 namespace geodrome::chen_han {
 namespace {
@@ -15,11 +14,9 @@ namespace {
 /// equal ways none is dropped for the other.
 constexpr double rounding = 1e-13;
 
-/// An image nearer to a half-edge than this share of its length, between the ends of its window: all its lines cross at
-/// nearly one place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its
-/// lines are not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
-constexpr double close_share = 1e-8;
-
+/// Whether the image is close to the half-edge, between the ends of its window: all its lines cross at nearly one
+/// place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its lines are
+/// not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
 bool is_close(const WindowArrays& w, double length) {
   return -w.y[0] <= close_share * length && w.low[0] < w.x[0] && w.x[0] < w.high[0];
 }
@@ -27,22 +24,18 @@ bool is_close(const WindowArrays& w, double length) {
 }  // namespace
 
 Propagation::Propagation(const FlatSurface& surface, const Settings& settings)
-    : surface_(surface),
+    : VertexPropagation(surface),
       settings_(settings),
       lanes_(&lanes(Simd::baseline)),
-      labels_(surface.vertex_count()),
       wavefront_(surface),
       store_(wavefront_.store()),
       trimming_(*lanes_) {}
 
 void Propagation::begin(bool keep, double limit) {
   wavefront_.clear();  // what a run that was stopped left behind
-  labels_.reset(keep);
-  keep_ = keep;
-  limit_ = limit;
+  VertexPropagation::begin(keep, limit);
   kept_.reset();
   if (keep) kept_.prepare(3 * surface_.face_count());
-  watched_.clear();
   trimming_.reset();
   counts_ = {};
   choose_lanes();
@@ -55,11 +48,6 @@ void Propagation::choose_lanes() {
   trimming_.use(*lanes_);
 }
 
-Index Propagation::source_of(Index origin) const {
-  const auto vertices = static_cast<Index>(surface_.vertex_count());
-  return origin < vertices ? labels_[origin].source : origin - vertices;
-}
-
 void Propagation::next() {
   const Wavefront::Next next = wavefront_.pop();
   if (next.vertex != no_index)
@@ -67,6 +55,15 @@ void Propagation::next() {
   else
     process(next.half_edge, next.block);
   counts_.trimmed = trimming_.dropped();
+}
+
+void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double, Entry entry) {
+  const Index block = store_.add(1);
+  Block& b = store_[block];
+  b.entry = entry, b.depth = 1;
+  b.windows().set(0, {apex.length - from.x, -from.y, from.sigma, 0, apex.length, from.origin, no_index});
+  b.windows().pad(1);
+  hand_on(block, apex.half_edge);
 }
 
 /// Carries on what waits at a half-edge, as one list.
@@ -170,52 +167,23 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
   const std::size_t after = split.covered() ? split.left_end : split.right_begin;
   if (before > 0) bent(before - 1, w.high[before - 1]);
   if (after < list.count) bent(after, w.low[after]);
-  const double by_start = labels_.distance(apex.start()) + apex.left_length();
-  const double by_end = labels_.distance(apex.end()) + apex.right_length();
-  if (label_is_lower(apex.vertex(), by_start))
-    lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {no_index, apex.start()});
-  if (label_is_lower(apex.vertex(), by_end))
-    lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source}, {no_index, apex.end()});
+  lower_along_edges(apex);
 }
 
 /// By window i, coming from its image, or from (x, 0) if the way bends there.
 void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t i, double x, double distance) {
   const WindowArrays& w = list.windows;
-  const Index vertex = apex.vertex();
-  const bool all_sides = distance - w.sigma[i] <= close_share * apex.length;  // two vertices in one place
-  if (!label_is_lower(vertex, distance)) {
-    const double present = labels_.distance(vertex);
-    if (!all_sides || labels_[vertex].all_sides() || distance > present + close_share * apex.length) return;
-    labels_.widen(vertex);
-    return wavefront_.push_vertex(vertex, present);
-  }
-  Angle side = all_sides ? no_angle : Angle{};
-  if (!all_sides && surface_.kind(vertex) != FlatSurface::VertexKind::smooth) {
-    double dx = w.x[i] - apex.x, dy = w.y[i] - apex.y;
-    const double off = x - apex.x;  // of the bend
-    if (x != w.x[i] && std::hypot(off, apex.y) > close_share * apex.length) dx = off, dy = -apex.y;
-    side = apex.side(dx, dy);
-  }
-  lower(vertex, {distance, side, apex.left(), source_of(w.origin[i])}, {w.parent[i], no_index});
-}
-
-void Propagation::lower(Index vertex, const Label& label, const Step& step) {
-  labels_.set(vertex, label, step);
-  if (label.corner == no_index || label.all_sides() || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
-    wavefront_.push_vertex(vertex, label.distance);
+  const PseudoSource image{w.x[i], w.y[i], w.sigma[i], w.origin[i]};
+  lower_apex_from(apex, image, x, distance, [&] { return Step{.window = w.parent[i]}; });
 }
 
 void Propagation::lower_watched(Index half_edge, const Span& list) {
-  const Index face = half_edge / 3;
-  auto it =
-      std::lower_bound(watched_.begin(), watched_.end(), face, [](const Watched& w, Index f) { return w.at.face < f; });
-  for (; it != watched_.end() && it->at.face == face; ++it) {
-    const auto [px, py] = surface_.in_frame(half_edge, it->at.b);
+  for_each_watched(half_edge, [&](Watched& watched, double x, double y) {
     for (std::size_t i = 0; i < list.count; ++i) {
-      const double way = way_through(list.windows.get(i), px, py, it->distance);
-      if (way < it->distance) it->distance = way, it->source = source_of(list.windows.origin[i]);
+      const double way = way_through(list.windows.get(i), x, y, watched.distance);
+      if (way < watched.distance) watched.distance = way, watched.source = source_of(list.windows.origin[i]);
     }
-  }
+  });
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -299,65 +267,6 @@ void Propagation::filter(Span& list, double length, double at_start, double at_e
   while (first < last && longer(w.at(last - 1, w.low[last - 1]), at_end + (length - w.low[last - 1]))) --last;
   counts_.filtered += list.count - (last - first);
   list = {w.without(first), last - first};
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Sources and pseudo-sources
-
-void Propagation::emit(Index vertex) {
-  const Label label = labels_[vertex];
-  if (label.distance > limit_) return;
-  corners_that_emit(surface_, vertex, label, emitting_);
-  counts_.emissions += !emitting_.empty();
-  for (const Index corner : emitting_) emit_into(corner);
-}
-
-/// A window from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
-void Propagation::emit_into(Index corner) {
-  const Apex apex(surface_, SurfaceMesh::next(corner));  // its apex is the vertex
-  const Index vertex = apex.vertex();
-  const Label label = labels_[vertex];
-  const double by_left = label.distance + apex.left_length(), by_right = label.distance + apex.right_length();
-  if (label_is_lower(apex.start(), by_left))
-    lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {no_index, vertex});
-  if (label_is_lower(apex.end(), by_right))
-    lower(apex.end(), {by_right, {}, apex.right(), label.source}, {no_index, vertex});
-  emit_window(apex.half_edge, {apex.length - apex.x, -apex.y, label.distance, 0, apex.length, vertex, no_index},
-              Entry::apex);
-}
-
-void Propagation::emit_window(Index edge, const Window& window, Entry entry) {
-  const Index block = store_.add(1);
-  Block& b = store_[block];
-  b.entry = entry, b.depth = 1;
-  b.windows().set(0, window);
-  b.windows().pad(1);
-  hand_on(block, edge);
-}
-
-void Propagation::seed(const Source& source, Index number) {
-  const SurfacePoint at = surface_.inner(source.at);
-  for (int i = 0; i < 3; ++i) {
-    if (at.b[i] != 1) continue;
-    const Index vertex = surface_.face(at.face).vertex[i];
-    if (label_is_lower(vertex, source.start)) lower(vertex, {source.start, {}, no_index, number}, {});
-    return;
-  }
-  surface_.for_each_name(at, [&](const SurfacePoint& here) { seed_face(here, source, number); });
-}
-
-/// A source in a face or on its edge: the corners, and windows to the edges that it is not on.
-void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
-  for (int i = 0; i < 3; ++i) {
-    const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
-    const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
-    const double away = std::sqrt(x * x + y * y), distance = source.start + away;
-    const Angle side = away > 0 ? Angle{x / away, y / away} : Angle{};
-    if (label_is_lower(apex.start(), distance)) lower(apex.start(), {distance, side, apex.half_edge, number}, {});
-    if (at.b[apex.c] == 0) continue;
-    const auto origin = static_cast<Index>(surface_.vertex_count()) + number;
-    emit_window(apex.half_edge, {apex.length - x, -y, source.start, 0, apex.length, origin, no_index}, Entry::loose);
-  }
 }
 
 }  // namespace geodrome::chen_han

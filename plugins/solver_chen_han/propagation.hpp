@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <vector>
 
 #include "common/solvers/flat_surface.hpp"
-#include "common/solvers/watched.hpp"
-#include "geodrome/run_context.hpp"
+#include "common/solvers/vertex_propagation.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "solver_chen_han/apex.hpp"
 #include "solver_chen_han/kept_windows.hpp"
@@ -26,7 +23,6 @@ struct Counts {
   std::uint64_t propagated = 0;  ///< windows carried on
   std::uint64_t filtered = 0;    ///< windows dropped because a vertex is a shorter way
   std::uint64_t trimmed = 0;     ///< windows dropped because other windows are shorter everywhere
-  std::uint64_t emissions = 0;   ///< times a vertex became a pseudo-source
   std::uint64_t longest = 0;     ///< the longest list carried on
 };
 
@@ -38,7 +34,7 @@ struct Counts {
 /// filter) or where it leaves the surface; so the window along a shortest path is never dropped. Why it ends: a
 /// shortest path crosses no face twice, so windows deeper than the number of faces are dropped; then there are finitely
 /// many paths, and a vertex emits again only for a shorter one.
-class Propagation {
+class Propagation : public VertexPropagation<Propagation, Step> {
  public:
   using Settings = chen_han::Settings;
 
@@ -54,22 +50,6 @@ class Propagation {
 
   /// Forgets the last run. With `keep` all windows that are carried on are kept.
   void begin(bool keep, double limit);
-  void seed(const Source& source, Index number);
-  /// To be lowered by `run`, in ascending order of faces.
-  std::vector<Watched>& watched() { return watched_; }
-  const std::vector<Watched>& watched() const { return watched_; }
-
-  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may give a new one.
-  template <class LowerLimit>
-  void run(const RunContext& context, LowerLimit&& lower_limit) {
-    for (std::uint64_t step = 0; !wavefront_.empty(); ++step) {
-      if (step % poll_interval == 0) context.throw_if_cancelled();
-      if (step % poll_interval == poll_interval - 1) limit_ = std::min(limit_, lower_limit()), choose_lanes();
-      next();
-    }
-  }
-
-  const Labels& labels() const { return labels_; }
 
   /// After a run with `keep`: the shortest way through a window to a point that is no vertex, none unless it is shorter
   /// than `best`. O(windows of the face).
@@ -84,7 +64,7 @@ class Propagation {
   std::size_t bytes() const;
 
  private:
-  static constexpr std::uint64_t poll_interval = 256;
+  friend VertexPropagation;
 
   /// Windows where they are.
   struct Span {
@@ -92,18 +72,18 @@ class Propagation {
     std::size_t count;
   };
 
-  /// The number of the source that the windows of an origin come from.
-  Index source_of(Index origin) const;
-  void choose_lanes();
+  Wavefront& waiting() { return wavefront_; }
+  void polled() { choose_lanes(); }
   void next();
+  void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
+
+  void choose_lanes();
   void process(Index half_edge, Index block);
   void gather(Index half_edge, Index first_block);
   void pass(Index half_edge, Span list, Index depth);
   void filter(Span& list, double length, double at_start, double at_end);
   void lower_watched(Index half_edge, const Span& list);
 
-  void lower(Index vertex, const Label& label, const Step& step);
-  bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
   void lower_apex(const Apex& apex, const Span& list, const Split& split);
   void lower_apex_by(const Apex& apex, const Span& list, std::size_t window, double x, double distance);
 
@@ -115,25 +95,15 @@ class Propagation {
   void split_off(Index block, Index edge);
   void hand_on(Index block, Index edge);
 
-  void emit(Index vertex);
-  void emit_into(Index corner);
-  void emit_window(Index edge, const Window& window, Entry entry);
-  void seed_face(const SurfacePoint& at, const Source& source, Index number);
-
-  const FlatSurface& surface_;
   Settings settings_;
   const Lanes* lanes_;
-  Labels labels_;
   Wavefront wavefront_;
   WindowStore& store_;
   Trimming trimming_;
   KeptWindows kept_;
-  std::vector<Watched> watched_;
   WindowList list_, chosen_;
   std::vector<std::uint32_t> breaks_;
-  std::vector<Index> blocks_, emitting_;
-  bool keep_ = false;
-  double limit_ = 0;
+  std::vector<Index> blocks_;
   Counts counts_;
 };
 

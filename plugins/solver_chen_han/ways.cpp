@@ -31,14 +31,14 @@ std::array<Counter, 8> Propagation::counters() const {
            {"windows_filtered", counts_.filtered},
            {"windows_trimmed", counts_.trimmed},
            {"half_edges_passed", counts_.passes},
-           {"vertices_emitted", counts_.emissions},
+           {"vertices_emitted", emissions()},
            {"largest_window_list", counts_.longest},
            {"largest_search_bytes", bytes()}}};
 }
 
 std::size_t Propagation::bytes() const {
-  return labels_.bytes() + wavefront_.bytes() + trimming_.bytes() + kept_.bytes() +
-         watched_.capacity() * sizeof(Watched) + list_.bytes() + chosen_.bytes();
+  return VertexPropagation::bytes() + wavefront_.bytes() + trimming_.bytes() + kept_.bytes() + list_.bytes() +
+         chosen_.bytes();
 }
 
 }  // namespace geodrome::chen_han

@@ -2,10 +2,10 @@
 #include "solver_schreiber/propagation.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <utility>
 
 #include "common/solvers/bisector.hpp"
-#include "common/solvers/emission.hpp"
 #include "solver_schreiber/claimant.hpp"
 #include "solver_schreiber/claims.hpp"
 
@@ -16,12 +16,9 @@ namespace {
 /// equal ways none is dropped for the other.
 constexpr double rounding = 1e-13;
 
-/// A vertex that is nearer to a pseudo-source than this share of an edge is in the same place. An image so near to a
-/// half-edge, between the ends of what it has of it: all its rays cross at nearly one place, which rounding does not
-/// tell apart any more. Such a generator goes on at once and alone, so that its rays are not bounded by places on that
-/// half-edge. (On faces without area the image lies on the half-edge.)
-constexpr double close_share = 1e-8;
-
+/// Whether an image is close to a half-edge, between the ends of what it has of it: all its rays cross at nearly one
+/// place, which rounding does not tell apart any more. Such a generator goes on at once and alone, so that its rays are
+/// not bounded by places on that half-edge. (On faces without area the image lies on the half-edge.)
 bool is_close(const Generator& g, double length) { return -g.y <= close_share * length && 0 < g.x && g.x < length; }
 
 /// A half-edge leaves the queue at the least distance of its front plus this share of its length: late enough that
@@ -32,12 +29,6 @@ constexpr double patience = 0.25;
 constexpr double event_margin = 1e-9;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// Of a direction from the x axis; of none, 0.
-Angle angle_of(double x, double y) {
-  const double size = std::sqrt(x * x + y * y);
-  return size > 0 ? Angle{x / size, y / size} : Angle{};
-}
 
 struct Ends {
   double low, high, at_low, at_high;
@@ -52,20 +43,16 @@ Ends ends_of(const Front& front, double length) {
 }  // namespace
 
 Propagation::Propagation(const FlatSurface& surface, const Settings&)
-    : surface_(surface),
+    : VertexPropagation(surface),
       editor_(pool_),
-      labels_(surface.vertex_count()),
       waiting_(3 * surface.face_count(), surface.vertex_count()),
       times_passed_(3 * surface.face_count()) {}
 
 void Propagation::begin(bool keep, double limit) {
   waiting_.clear();  // what a run that was stopped left behind
-  labels_.reset(keep);
-  keep_ = keep;
-  limit_ = limit;
+  VertexPropagation::begin(keep, limit);
   kept_.reset();
   if (keep) kept_.prepare(3 * surface_.face_count());
-  watched_.clear();
   sources_.clear();
   for (const Index h : passed_) times_passed_[h] = 0;
   passed_.clear();
@@ -74,17 +61,24 @@ void Propagation::begin(bool keep, double limit) {
   nodes_before_ = pool_.nodes_made();
 }
 
-Index Propagation::source_of(Index origin) const {
-  const auto vertices = static_cast<Index>(surface_.vertex_count());
-  return origin < vertices ? labels_[origin].source : origin - vertices;
-}
-
 void Propagation::next() {
   const WaitingFronts::Next next = waiting_.pop(arrivals_);
   if (next.vertex != no_index)
     emit(next.vertex);
   else
     process(next.half_edge);
+}
+
+void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry) {
+  const Angle to_low = angle_of(-to_end, from.y), to_high = angle_of(from.x, from.y);
+  const Generator g{apex.length - from.x, -from.y,      from.sigma, to_low.cosine, to_low.sine,
+                    to_high.cosine,       to_high.sine, infinity,   from.origin};
+  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, Course::begin());
+}
+
+void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
+  sources_.push_back({at, source.start, number});
+  VertexPropagation::seed_face(at, source, number);
 }
 
 /// Carries on what came to a half-edge as one front: those of one entry together, then these in their order.
@@ -192,119 +186,12 @@ void Propagation::filter(Front& front, double length, double at_start, double at
   }
 }
 
-// ---------------------------------------------------------------------------------------------------------------------
-// At the apex
-
-/// The generator that has the apex, and those that are as near up to rounding, go on to both sides, all others to their
-/// own: one angle, one split. One that has rays to the wrong side only died before the apex if it is not nearer to it
-/// (the lemma of FrontEditor, at the apex), and goes; otherwise the front is out of order.
-Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double until) {
-  const double x = apex.x, y = apex.y;
-  const std::size_t best = owner_of(front, x, y, until);
-  const Generator owner = front[best];
-  Split split = around(owner, best, front, apex);
-  const bool all = front.is_flat();
-  Generator room;
-  for (std::size_t i = 0; (i = all ? i : front.first_key_at_most(until, i)) < front.size();) {
-    const Generator& g = front.look(i, room);
-    const bool is_left = i < split.right_begin, is_right = i >= split.left_end;
-    if (!(is_left && !g.has_left(x, y)) && !(is_right && !g.has_right(x, y))) {
-      ++i;
-      continue;
-    }
-    split.in_order = split.in_order && split.covered && !nearer(g.to(x, y), owner.to(x, y));
-    if (!split.in_order) break;
-    editor_.remove(front, i, {{}, apex.length});
-    if (is_left) --split.right_begin, --split.left_end;
-  }
-  return split;
-}
-
-/// The split at generator `best`, which is `g`, to which the apex belongs if it has a ray to it.
-Propagation::Split Propagation::around(const Generator& g, std::size_t best, const Front& front, const Apex& apex) {
-  const double x = apex.x, y = apex.y;
-  if (!g.reaches(x, y)) {
-    const std::size_t after = g.inside_high(x, y) ? best : best + 1;
-    return {after, after, false, true};
-  }
-  const double most = g.to(x, y) * (1 + equal_share);
-  const auto is_as_near = [&](const Generator& other) { return other.reaches(x, y) && other.to(x, y) <= most; };
-  Split split{best + 1, best, true, true};
-  while (split.right_begin > 0 && is_as_near(front[split.right_begin - 1])) --split.right_begin;
-  while (split.left_end < front.size() && is_as_near(front[split.left_end])) ++split.left_end;
-  return split;
-}
-
-/// Lowers the apex: by the generator that has it, by the ends of its neighbours' rays, and along the edges. A way that
-/// bends at the end of what a generator has of the half-edge exists as well; it is what keeps a vertex that lies in the
-/// gap between two generators, by rounding or behind a saddle too flat to count as one.
-void Propagation::lower_apex(const Apex& apex, const Front& front, const Split& split) {
-  std::size_t before = split.left_end, after = split.right_begin;
-  if (split.covered) {
-    for (std::size_t i = split.right_begin; i < split.left_end; ++i) {
-      const Generator g = front[i];
-      lower_apex_by(apex, g, g.x, g.to(apex.x, apex.y));
-    }
-    before = split.right_begin, after = split.left_end;
-  }
-  if (before > 0) lower_apex_bent(apex, front[before - 1]);
-  if (after < front.size()) lower_apex_bent(apex, front[after]);
-  lower_along_edges(apex);
-}
-
-void Propagation::lower_along_edges(const Apex& apex) {
-  const double by_start = labels_.distance(apex.start()) + apex.left_length();
-  const double by_end = labels_.distance(apex.end()) + apex.right_length();
-  if (label_is_lower(apex.vertex(), by_start))
-    lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {.vertex = apex.start()});
-  if (label_is_lower(apex.vertex(), by_end))
-    lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source}, {.vertex = apex.end()});
-}
-
-void Propagation::lower_apex_bent(const Apex& apex, const Generator& g) {
-  if (g.covers(apex.x, apex.y)) return;
-  const double x = g.inside_high(apex.x, apex.y) ? g.low(apex.length) : g.high(apex.length);
-  lower_apex_by(apex, g, x, g.at(x) + std::sqrt((apex.x - x) * (apex.x - x) + apex.y * apex.y));
-}
-
-/// By a generator, coming from its image, or from (x, 0) if the way bends there.
-void Propagation::lower_apex_by(const Apex& apex, const Generator& g, double x, double distance) {
-  const Index vertex = apex.vertex();
-  const bool all_sides = distance - g.sigma <= close_share * apex.length;
-  if (!label_is_lower(vertex, distance)) {
-    const double present = labels_.distance(vertex);
-    if (!all_sides || labels_[vertex].all_sides() || distance > present + close_share * apex.length) return;
-    labels_.widen(vertex);
-    return waiting_.push_vertex(vertex, present);
-  }
-  const double climb = apex.y - g.y;
-  const double straight = climb > 0 ? g.x + (apex.x - g.x) * (-g.y / climb) : apex.x;
-  const bool bends = x != g.x;
-  Angle side = all_sides ? no_angle : Angle{};
-  if (!all_sides && surface_.kind(vertex) != FlatSurface::VertexKind::smooth) {
-    const bool by_bend = bends && std::hypot(x - apex.x, apex.y) > close_share * apex.length;
-    side = by_bend ? apex.side(x - apex.x, -apex.y) : apex.side(g.x - apex.x, g.y - apex.y);
-  }
-  lower(vertex, {distance, side, apex.left(), source_of(g.origin)},
-        {bends ? x : std::clamp(straight, 0.0, apex.length), apex.half_edge, no_index, kept_.last(), g.origin});
-}
-
-void Propagation::lower(Index vertex, const Label& label, const Step& step) {
-  labels_.set(vertex, label, step);
-  if (label.corner == no_index || label.all_sides() || surface_.kind(vertex) != FlatSurface::VertexKind::smooth)
-    waiting_.push_vertex(vertex, label.distance);
-}
-
 void Propagation::lower_watched(Index half_edge, const Front& front, double until) {
-  const Index face = half_edge / 3;
-  auto it =
-      std::lower_bound(watched_.begin(), watched_.end(), face, [](const Watched& w, Index f) { return w.at.face < f; });
-  for (; it != watched_.end() && it->at.face == face; ++it) {
-    const auto [px, py] = surface_.in_frame(half_edge, it->at.b);
-    const Generator g = owner_at(front, px, py, until);
-    const double way = way_through(g, surface_.length(half_edge), px, py, it->distance).distance;
-    if (way < it->distance) it->distance = way, it->source = source_of(g.origin);
-  }
+  for_each_watched(half_edge, [&](Watched& watched, double x, double y) {
+    const Generator g = owner_at(front, x, y, until);
+    const double way = way_through(g, surface_.length(half_edge), x, y, watched.distance).distance;
+    if (way < watched.distance) watched.distance = way, watched.source = source_of(g.origin);
+  });
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -407,68 +294,6 @@ void Propagation::hand_on(Front front, Index edge, Entry entry, const Course& co
     waiting_.push(half_edge, near + patience * length,
                   {std::move(own), same_way ? mirrored(entry) : entry, same_way ? course.mirrored() : course});
   });
-}
-
-// ---------------------------------------------------------------------------------------------------------------------
-// Sources and pseudo-sources
-
-void Propagation::emit(Index vertex) {
-  const Label label = labels_[vertex];
-  if (label.distance > limit_) return;
-  corners_that_emit(surface_, vertex, label, emitting_);
-  counts_.emissions += !emitting_.empty();
-  for (const Index corner : emitting_) emit_into(corner);
-}
-
-/// A front from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
-void Propagation::emit_into(Index corner) {
-  const Apex apex(surface_, SurfaceMesh::next(corner));  // its apex is the vertex
-  const Index vertex = apex.vertex();
-  const Label label = labels_[vertex];
-  const double by_left = label.distance + apex.left_length(), by_right = label.distance + apex.right_length();
-  if (label_is_lower(apex.start(), by_left))
-    lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {.vertex = vertex});
-  if (label_is_lower(apex.end(), by_right))
-    lower(apex.end(), {by_right, {}, apex.right(), label.source}, {.vertex = vertex});
-  const double to_end = apex.right_length() * apex.face.cosine[apex.b];
-  emit_across(apex, apex.x, apex.y, to_end, label.distance, vertex, Entry::apex);
-}
-
-/// A front from a point (x, y) of a face across the half-edge of `apex`, between the rays to its ends. `to_end` is its
-/// length less x, told apart from 0 where that is not.
-void Propagation::emit_across(const Apex& apex, double x, double y, double to_end, double sigma, Index origin,
-                              Entry entry) {
-  const Angle to_low = angle_of(-to_end, y), to_high = angle_of(x, y);
-  const Generator g{apex.length - x, -y,           sigma,    to_low.cosine, to_low.sine,
-                    to_high.cosine,  to_high.sine, infinity, origin};
-  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, Course::begin());
-}
-
-void Propagation::seed(const Source& source, Index number) {
-  const SurfacePoint at = surface_.inner(source.at);
-  for (int i = 0; i < 3; ++i) {
-    if (at.b[i] != 1) continue;
-    const Index vertex = surface_.face(at.face).vertex[i];
-    if (label_is_lower(vertex, source.start)) lower(vertex, {source.start, {}, no_index, number}, {});
-    return;
-  }
-  surface_.for_each_name(at, [&](const SurfacePoint& here) { seed_face(here, source, number); });
-}
-
-/// A source in a face or on its edge: the corners, and fronts to the edges that it is not on.
-void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
-  const Index origin = static_cast<Index>(surface_.vertex_count()) + number;
-  sources_.push_back({at, source.start, number});
-  for (int i = 0; i < 3; ++i) {
-    const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
-    const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
-    const double away = std::sqrt(x * x + y * y), distance = source.start + away;
-    const Angle at_start = angle_of(x, y);
-    if (label_is_lower(apex.start(), distance)) lower(apex.start(), {distance, at_start, apex.half_edge, number}, {});
-    if (at.b[apex.c] == 0) continue;
-    const double to_end = at.b[apex.a] * apex.length + at.b[apex.c] * apex.right_length() * apex.face.cosine[apex.b];
-    emit_across(apex, x, y, to_end, source.start, origin, Entry::loose);
-  }
 }
 
 }  // namespace geodrome::schreiber

@@ -3,15 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
-#include <utility>
 #include <vector>
 
-#include "common/solvers/apex.hpp"
-#include "common/solvers/exact_search.hpp"
 #include "common/solvers/flat_surface.hpp"
-#include "common/solvers/labels.hpp"
-#include "geodrome/run_context.hpp"
+#include "common/solvers/vertex_propagation.hpp"
+#include "geodrome/shortest_path_solver.hpp"
 #include "solver_schreiber/front.hpp"
 #include "solver_schreiber/kept_fronts.hpp"
 #include "solver_schreiber/path_tracer.hpp"
@@ -22,13 +18,12 @@ namespace geodrome::schreiber {
 struct Settings {};
 
 struct Counts {
-  std::uint64_t passes = 0;     ///< fronts carried across a face
-  std::uint64_t repeated = 0;   ///< of these, through a half-edge that had been passed before
-  std::uint64_t most = 0;       ///< passes of one half-edge
-  std::uint64_t carried = 0;    ///< generators of all fronts carried
-  std::uint64_t longest = 0;    ///< generators of one front
-  std::uint64_t tangled = 0;    ///< fronts whose generators were carried one by one
-  std::uint64_t emissions = 0;  ///< times a vertex became a pseudo-source
+  std::uint64_t passes = 0;    ///< fronts carried across a face
+  std::uint64_t repeated = 0;  ///< of these, through a half-edge that had been passed before
+  std::uint64_t most = 0;      ///< passes of one half-edge
+  std::uint64_t carried = 0;   ///< generators of all fronts carried
+  std::uint64_t longest = 0;   ///< generators of one front
+  std::uint64_t tangled = 0;   ///< fronts whose generators were carried one by one
 };
 
 /// Whole wavefronts carried over a surface from its sources, half-edge by half-edge, nearest first (Schreiber 2010).
@@ -41,7 +36,7 @@ struct Counts {
 /// vertex is shorter, so the shortest path is never dropped. Why it ends: a shortest path crosses no face twice, so
 /// fronts deeper than the number of faces are dropped; then there are finitely many paths, and a vertex emits again
 /// only for a shorter one.
-class Propagation {
+class Propagation : public VertexPropagation<Propagation, Step> {
  public:
   using Settings = schreiber::Settings;
   using Way = KeptFronts::Way;
@@ -50,24 +45,7 @@ class Propagation {
 
   /// Forgets the last run. With `keep` all fronts that are carried on are kept.
   void begin(bool keep, double limit);
-  void seed(const Source& source, Index number);
-  /// To be lowered by `run`, in ascending order of faces.
-  std::vector<Watched>& watched() { return watched_; }
-  const std::vector<Watched>& watched() const { return watched_; }
 
-  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may give a new one.
-  template <class LowerLimit>
-  void run(const RunContext& context, LowerLimit&& lower_limit) {
-    for (std::uint64_t step = 0; !waiting_.empty(); ++step) {
-      if (step % poll_interval == 0) context.throw_if_cancelled();
-      if (step % poll_interval == poll_interval - 1) limit_ = std::min(limit_, lower_limit());
-      next();
-    }
-  }
-
-  /// The number of the source that the generators of an origin come from.
-  Index source_of(Index origin) const;
-  const Labels<Step>& labels() const { return labels_; }
   Way way_to(const SurfacePoint& inner, double best) const;
   void trace(const Way& way, std::vector<SurfacePoint>& out) const;
   void trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const;
@@ -76,18 +54,19 @@ class Propagation {
   std::size_t bytes() const;
 
  private:
-  static constexpr std::uint64_t poll_interval = 256;
+  friend VertexPropagation;
 
+  WaitingFronts& waiting() { return waiting_; }
   void next();
+  void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
+  void seed_face(const SurfacePoint& at, const Source& source, Index number);
+
   void process(Index half_edge);
   void unite(Arrival& all, Arrival arrival, double length);
   void pass(Index half_edge, Front front, Course course);
   void filter(Front& front, double length, double at_start, double at_end);
   void lower_watched(Index half_edge, const Front& front, double until);
   void count_pass(Index half_edge, std::size_t generators);
-
-  bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
-  void lower(Index vertex, const Label& label, const Step& step);
 
   struct Split {
     std::size_t left_end, right_begin;  ///< generators [0, left_end) go on to the left, [right_begin, end) to the right
@@ -97,7 +76,6 @@ class Propagation {
   Split split_at(const Apex& apex, Front& front, double until);
   static Split around(const Generator& g, std::size_t best, const Front& front, const Apex& apex);
   void lower_apex(const Apex& apex, const Front& front, const Split& split);
-  void lower_along_edges(const Apex& apex);
   void lower_apex_by(const Apex& apex, const Generator& g, double x, double distance);
   void lower_apex_bent(const Apex& apex, const Generator& g);
 
@@ -106,25 +84,14 @@ class Propagation {
   void carry(const Apex& apex, Front front, bool to_left, Course course, double until);
   void hand_on(Front front, Index edge, Entry entry, const Course& course);
 
-  void emit(Index vertex);
-  void emit_into(Index corner);
-  void emit_across(const Apex& apex, double x, double y, double to_end, double sigma, Index origin, Entry entry);
-  void seed_face(const SurfacePoint& at, const Source& source, Index number);
-
-  const FlatSurface& surface_;
   FrontPool pool_;
   FrontEditor editor_;
-  Labels<Step> labels_;
   WaitingFronts waiting_;
   KeptFronts kept_;
-  std::vector<Watched> watched_;
   std::vector<SeededFace> sources_;
-  std::vector<Index> emitting_;
   std::vector<Arrival> arrivals_;
   std::vector<std::uint8_t> times_passed_;  ///< of each half-edge, up to 255
   std::vector<Index> passed_;               ///< half-edges with a number above 0
-  bool keep_ = false;
-  double limit_ = 0;
   Counts counts_;
   std::uint64_t nodes_before_ = 0;
 };

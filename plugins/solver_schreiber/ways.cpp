@@ -41,15 +41,15 @@ std::array<Counter, 13> Propagation::counters() const {
            {"fronts_split", fronts.splits},
            {"fronts_merged_point_by_point", fronts.envelopes},
            {"fronts_carried_one_by_one", counts_.tangled},
-           {"vertices_emitted", counts_.emissions},
+           {"vertices_emitted", emissions()},
            {"nodes_made", pool_.nodes_made() - nodes_before_},
            {"largest_front", counts_.longest},
            {"largest_search_bytes", bytes()}}};
 }
 
 std::size_t Propagation::bytes() const {
-  return pool_.bytes() + labels_.bytes() + waiting_.bytes() + kept_.bytes() + watched_.capacity() * sizeof(Watched) +
-         times_passed_.capacity() + passed_.capacity() * sizeof(Index);
+  return VertexPropagation::bytes() + pool_.bytes() + waiting_.bytes() + kept_.bytes() + times_passed_.capacity() +
+         passed_.capacity() * sizeof(Index);
 }
 
 }  // namespace geodrome::schreiber

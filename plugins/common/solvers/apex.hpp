@@ -2,7 +2,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <tuple>
 
 #include "common/solvers/flat_surface.hpp"
@@ -33,11 +32,7 @@ struct Apex {
   bool right_is_boundary() const { return face.across[b] == no_index; }
   Angle angle(int corner) const { return {face.cosine[corner], face.sine[corner]}; }
   /// The direction (dx, dy) from the apex into the face, as an angle from its left edge.
-  Angle side(double dx, double dy) const {
-    const double along = -x * dx - y * dy, across = std::max(0.0, y * dx - x * dy);
-    const double size = std::sqrt(along * along + across * across);
-    return size > 0 ? Angle{along / size, across / size} : Angle{};
-  }
+  Angle side(double dx, double dy) const { return angle_of(-x * dx - y * dy, std::max(0.0, y * dx - x * dy)); }
 };
 
 }  // namespace geodrome

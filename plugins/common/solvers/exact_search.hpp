@@ -29,7 +29,8 @@ namespace geodrome {
 /// - `std::vector<Watched>& watched()`, const too: empty after `begin`, filled before `run` in ascending order of
 ///   faces, then lowered by ways through windows; their order stays;
 /// - `void run(const RunContext&, lower_limit)`: goes on until nothing below the limit is left. Calls
-///   `double lower_limit()`, a new limit if lower, once in `steps_a_poll` of its steps. May throw Cancelled;
+///   `double lower_limit()`, a new limit if lower, once in `steps_a_poll` of its steps, so that looking at a target
+///   costs about one step. May throw Cancelled;
 /// - `labels()`, const: Labels of any step, with the distance of every vertex below the limit;
 /// - `Way`, default constructible as none, with `double distance`, infinity if none, and `Index source`;
 /// - `Way way_to(const SurfacePoint& inner, double best) const`: the shortest way through a kept window to a point that
@@ -39,6 +40,7 @@ namespace geodrome {
 /// - `void trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const`: the same from a vertex with a label,
 ///   which comes first; nothing if it is a source;
 /// - `std::array<Counter, n> counters() const`: the last is "largest_search_bytes", the memory of the propagation.
+/// VertexPropagation has `seed`, `watched`, `run` and `labels`.
 template <class Propagation>
 class ExactSearch final : public Search, private ShortestPathMap {
  public:
@@ -58,9 +60,6 @@ class ExactSearch final : public Search, private ShortestPathMap {
   std::span<const Counter> counters() const override { return counters_; }
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  /// The propagation asks for a limit once in so many of its steps, so that a target costs about one step.
-  static constexpr std::size_t steps_a_poll = 256;
-
   using Way = typename Propagation::Way;
   /// The shortest way to a point without windows: through a corner, or (none) straight from the source.
   struct PlainWay {
@@ -117,7 +116,8 @@ const ShortestPathMap& ExactSearch<Propagation>::run(std::span<const Source> sou
   watch(request);
   std::size_t polls = 0;  // looking at all targets must not cost more than the search
   propagation_.run(context, [&] {
-    const bool look = request.stop_at_targets && ++polls % (1 + request.targets.size() / steps_a_poll) == 0;
+    const bool look =
+        request.stop_at_targets && ++polls % (1 + request.targets.size() / Propagation::steps_a_poll) == 0;
     return look ? farthest_target(request) : infinity;
   });
   finish(request);

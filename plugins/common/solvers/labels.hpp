@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -19,6 +20,12 @@ struct Angle {
     return {a.cosine * b.cosine + a.sine * b.sine, a.sine * b.cosine - a.cosine * b.sine};
   }
 };
+
+/// That of the direction (x, y), from the x axis; where there is no direction, the angle 0.
+inline Angle angle_of(double x, double y) {
+  const double size = std::sqrt(x * x + y * y);
+  return size > 0 ? Angle{x / size, y / size} : Angle{};
+}
 
 inline constexpr Angle no_angle{0, 0};
 
