@@ -73,7 +73,7 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double 
   const Angle to_low = angle_of(-to_end, from.y), to_high = angle_of(from.x, from.y);
   const Generator g{apex.length - from.x, -from.y,      from.sigma, to_low.cosine, to_low.sine,
                     to_high.cosine,       to_high.sine, infinity,   from.origin};
-  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, Course::begin());
+  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, Course{});
 }
 
 void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
@@ -86,23 +86,17 @@ void Propagation::process(Index half_edge) {
   if (arrivals_.size() == 1) {
     Arrival arrival = std::move(arrivals_.front());
     arrivals_.clear();
-    arrival.course.first = arrival.entry == Entry::loose ? Entry::left : arrival.entry;
-    arrival.course.last = arrival.entry;
     return pass(half_edge, std::move(arrival.front), arrival.course);
   }
   const double length = surface_.length(half_edge);
   Front front(pool_);
-  Course course{no_index, Entry::loose, Entry::left};
+  Course course{no_index};
   for (const Entry entry : {Entry::left, Entry::apex, Entry::right, Entry::loose}) {
-    Arrival same{Front(pool_), entry, {no_index, Entry::loose, Entry::left, Course::infinity, -Course::infinity}};
+    Arrival same{Front(pool_), entry, {no_index, Course::infinity, -Course::infinity}};
     for (Arrival& arrival : arrivals_)
       if (arrival.entry == entry) unite(same, std::move(arrival), length);
-    if (same.course.depth == no_index) continue;
-    const bool is_loose = entry == Entry::loose;
     course.depth = std::min(course.depth, same.course.depth);
-    course.first = is_loose ? Entry::left : std::min(course.first, entry);
-    course.last = entry;
-    if (is_loose)
+    if (entry == Entry::loose)
       editor_.merge(front, std::move(same.front), length);
     else
       editor_.join(front, std::move(same.front), length);

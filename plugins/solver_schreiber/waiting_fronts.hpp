@@ -14,21 +14,18 @@ namespace geodrome::schreiber {
 
 /// How a front came to a half-edge.
 struct Course {
-  Index depth;                              ///< faces crossed since the pseudo-source, at least
-  Entry first, last;                        ///< it came to the half-edge before from these sides and from those between
-  double low = -infinity, high = infinity;  ///< what it had of the half-edge before
-
   static constexpr double infinity = std::numeric_limits<double>::infinity();
-  /// From a pseudo-source.
-  static Course begin() { return {1, Entry::left, Entry::loose}; }
+
+  Index depth = 1;                          ///< faces crossed since the pseudo-source, at least
+  double low = -infinity, high = infinity;  ///< what it had of the half-edge before; of several, all between is theirs
+
   /// Whether its rays crossed the half-edge before to the left of those of another front that came through it.
-  bool is_left_of(const Course& other) const { return last < other.first || high <= other.low; }
+  bool is_left_of(const Course& other) const { return high <= other.low; }
   /// Seen from a half-edge that runs the other way.
-  Course mirrored() const { return {depth, Entry::left, Entry::loose, -high, -low}; }
+  Course mirrored() const { return {depth, -high, -low}; }
   /// Of two fronts that became one.
   Course with(const Course& other) const {
-    return {std::min(depth, other.depth), std::min(first, other.first), std::max(last, other.last),
-            std::min(low, other.low), std::max(high, other.high)};
+    return {std::min(depth, other.depth), std::min(low, other.low), std::max(high, other.high)};
   }
 };
 
