@@ -105,12 +105,13 @@ void Propagation::process(Index half_edge) {
   if (!front.empty()) pass(half_edge, std::move(front), course);
 }
 
-/// Fronts that came through the same half-edge.
+/// Fronts of one entry, which came through the same half-edge unless they are loose.
 void Propagation::unite(Arrival& all, Arrival arrival, double length) {
-  if (arrival.course.is_left_of(all.course)) {
+  const bool is_loose = all.entry == Entry::loose;
+  if (!is_loose && arrival.course.is_left_of(all.course)) {
     editor_.join(arrival.front, std::move(all.front), length);
     all.front.swap(arrival.front);
-  } else if (all.course.is_left_of(arrival.course)) {
+  } else if (!is_loose && all.course.is_left_of(arrival.course)) {
     editor_.join(all.front, std::move(arrival.front), length);
   } else {
     editor_.merge(all.front, std::move(arrival.front), length);
