@@ -42,7 +42,7 @@ struct Generator {
   /// On which side of a ray a point is: not beyond it.
   bool inside_low(double px, double py) const { return low_x * (py - y) - low_y * (px - x) <= 0; }
   bool inside_high(double px, double py) const { return high_x * (py - y) - high_y * (px - x) >= 0; }
-  bool covers(double px, double py) const { return inside_low(px, py) && inside_high(px, py); }
+  bool covers(double px, double py) const { return inside_low(px, py) && inside_high(px, py) && is_ahead(px, py); }
   /// The same up to rounding: the way to a point beyond the ray, bent where the ray meets the half-edge, is no longer
   /// than the straight one.
   bool reaches_low(double px, double py) const {
@@ -51,7 +51,7 @@ struct Generator {
   bool reaches_high(double px, double py) const {
     return is_reached(high_y * (px - x) - high_x * (py - y), high_x, high_y, px, py);
   }
-  bool reaches(double px, double py) const { return reaches_low(px, py) && reaches_high(px, py); }
+  bool reaches(double px, double py) const { return reaches_low(px, py) && reaches_high(px, py) && is_ahead(px, py); }
   /// Whether it has rays to the left or right of a point.
   bool has_left(double px, double py) const { return low_x * (py - y) - low_y * (px - x) < 0; }
   bool has_right(double px, double py) const { return high_x * (py - y) - high_y * (px - x) > 0; }
@@ -74,6 +74,10 @@ struct Generator {
   void set_high(double px, double py) { aim(high_x, high_y, px, py); }
 
  private:
+  /// Not behind the image: of a wedge without a width both sides of its line are inside.
+  bool is_ahead(double px, double py) const {
+    return low_x * (px - x) + low_y * (py - y) > 0 || high_x * (px - x) + high_y * (py - y) > 0 || !is_sliver();
+  }
   double rounding(double place) const {
     return 2 * std::numeric_limits<double>::epsilon() * (std::abs(place) + std::abs(x) + std::abs(y));
   }

@@ -21,6 +21,10 @@ constexpr double flat = 1e-12;
 /// to say.
 constexpr double no_place = 1e-9;
 
+/// A face with a corner as flat as this (rad) is a segment: straight lines along it cross the edges at no place of
+/// their own, so its vertices send on in all directions.
+constexpr double no_angle_left = 1e-12;
+
 struct Corner {
   double cosine, sine;
 };
@@ -172,7 +176,7 @@ void FlatSurface::order_corners(Index vertex, std::vector<bool>& regular) {
 }
 
 void FlatSurface::judge_vertices() {
-  std::vector<bool> regular(vertex_count(), false), has_short_edge(vertex_count(), false);
+  std::vector<bool> regular(vertex_count(), false), in_no_area(vertex_count(), false);
   for (Index v = 0; v < vertex_count(); ++v) order_corners(v, regular);
 
   Vec3 low{INFINITY, INFINITY, INFINITY}, high = -low;
@@ -183,11 +187,15 @@ void FlatSurface::judge_vertices() {
   const double shortest = no_place * std::ldexp(std::hypot(high.x - low.x, high.y - low.y, high.z - low.z), exponent_);
   for (const Face& face : faces_)
     for (int i = 0; i < 3; ++i)
-      if (face.length[i] <= shortest) has_short_edge[face.vertex[i]] = has_short_edge[face.vertex[(i + 1) % 3]] = true;
+      if (face.length[i] <= shortest) in_no_area[face.vertex[i]] = in_no_area[face.vertex[(i + 1) % 3]] = true;
+  for (const Face& face : faces_)
+    for (int i = 0; i < 3; ++i)
+      if (face.cosine[i] < 0 && face.sine[i] <= no_angle_left)
+        for (const Index v : face.vertex) in_no_area[v] = true;
 
   kind_.assign(vertex_count(), VertexKind::irregular);
   for (Index v = 0; v < vertex_count(); ++v) {
-    if (!regular[v] || has_short_edge[v]) continue;
+    if (!regular[v] || in_no_area[v]) continue;
     double angle = 0;
     for (const Index h : corners(v)) angle += std::atan2(face_of(h).sine[h % 3], face_of(h).cosine[h % 3]);
     const Index first = corners(v).front();

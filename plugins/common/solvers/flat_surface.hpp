@@ -112,7 +112,7 @@ class FlatSurface {
     smooth,       ///< never bend there: total angle <= 2 pi, or on the boundary and <= pi
     saddle,       ///< may bend there; its corners go once around it
     open_saddle,  ///< the same on the boundary; its corners go from one boundary edge to the other
-    irregular     ///< several fans, more than two faces on an edge, unoriented, or an edge too short to tell
+    irregular     ///< several fans, more than two faces on an edge, unoriented, an edge too short or a face too flat
   };
   VertexKind kind(Index vertex) const { return kind_[vertex]; }
 
