@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "solver_schreiber/envelope.hpp"
 #include "solver_schreiber/generator.hpp"
 #include "solver_schreiber/sequence.hpp"
 
@@ -84,14 +85,7 @@ class FrontEditor {
   FrontCounts& counts() { return counts_; }
 
  private:
-  struct Piece {
-    Generator generator;
-    double low, high;
-    std::size_t name;
-  };
-  using Pieces = std::vector<Piece>;
-  Pieces pieces(const Front& front, double length, std::size_t first_name) const;
-  Front front_of(const std::vector<Piece>& pieces);
+  Front front_of(const Pieces& pieces);
 
   static void set_low(Front& front, std::size_t i, const Generator& g);
   static void set_high(Front& front, std::size_t i, const Generator& g);

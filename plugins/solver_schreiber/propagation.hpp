@@ -30,12 +30,11 @@ struct Counts {
 /// All distances are those of the flat surface, and so are the numbers of faces and vertices. Used again and again: a
 /// run costs what it reaches.
 ///
-/// Why distances should be exact (exceptions are known, see the README): what a generator has of a front are straight
-/// paths that exist, so none is too short; a generator, or
-/// the part of its wedge on one side of a vertex, is dropped only by the lemma of FrontEditor or where a way over a
-/// vertex is shorter, so the shortest path is never dropped. Why it ends: a shortest path crosses no face twice, so
-/// fronts deeper than the number of faces are dropped; then there are finitely many paths, and a vertex emits again
-/// only for a shorter one.
+/// Why distances are exact: what a generator has of a front are straight paths that exist, so none is too short; a
+/// generator, or the part of its wedge on one side of a vertex, is dropped only by the lemma of FrontEditor or where a
+/// way over a vertex is shorter, so the shortest path is never dropped. Why it ends: a shortest path crosses no face
+/// twice, so fronts deeper than the number of faces are dropped; then there are finitely many paths, and a vertex emits
+/// again only for a shorter one.
 class Propagation : public VertexPropagation<Propagation, Step> {
  public:
   using Settings = schreiber::Settings;
