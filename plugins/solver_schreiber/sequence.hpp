@@ -85,14 +85,8 @@ class Sequence {
   }
   /// The same of its key alone.
   double key(std::size_t i) const {
-    const Node* node = root_;
-    while (node->height > 0) {
-      const auto& inner = Pool::inner(node);
-      const bool is_left = i < inner.left->count;
-      if (!is_left) i -= inner.left->count;
-      node = is_left ? inner.left : inner.right;
-    }
-    return Pool::items(node)[i].key;
+    const auto [leaf, place] = leaf_with(i);
+    return Pool::items(leaf)[place].key;
   }
   Item front() const { return (*this)[0]; }
   Item back() const { return (*this)[size() - 1]; }
@@ -118,7 +112,7 @@ class Sequence {
 
   /// Removes item i. O(log n).
   void erase(std::size_t i) {
-    if (leaf_of(i)->count > 1) {
+    if (leaf_with(i).first->count > 1) {
       root_ = without(root_, i);
       return;
     }
@@ -214,7 +208,8 @@ class Sequence {
     return node;
   }
 
-  const Node* leaf_of(std::size_t i) const {
+  /// The leaf of item i and its place there.
+  std::pair<const Node*, std::size_t> leaf_with(std::size_t i) const {
     const Node* node = root_;
     while (node->height > 0) {
       const auto& inner = Pool::inner(node);
@@ -222,7 +217,7 @@ class Sequence {
       if (!is_left) i -= inner.left->count;
       node = is_left ? inner.left : inner.right;
     }
-    return node;
+    return {node, i};
   }
 
   /// Precondition: the leaf of item i holds others.
