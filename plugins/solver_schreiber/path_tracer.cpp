@@ -30,6 +30,7 @@ Index PathTracer::follow(Step step) {
       const double x = mirrored ? step.crossing : surface_.length(step.half_edge) - step.crossing;
       look_for_origin(step, below, x, best);
       look_below(step, below, x, best);
+      look_for_shorter_corner(below, x, best);
     });
     step = best.step;
     if (step.half_edge == no_index) return step.vertex;
@@ -71,6 +72,19 @@ void PathTracer::look_below(const Step& from, Index half_edge, double x, Onward&
       if (crossing.distance < as_short * best.distance)
         best = {crossing.distance, {crossing.place, h, no_index, number, g.origin}};
     });
+  }
+}
+
+/// A corner over which the rest is shorter by more than rounding: a front may have a gap beside a vertex at which paths
+/// bend by next to nothing. Being shorter, it does not lead back.
+void PathTracer::look_for_shorter_corner(Index half_edge, double x, Onward& best) const {
+  constexpr double rounding = 1e-13;
+  const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
+  const Index face = half_edge / 3;
+  for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
+    const auto [cx, cy] = surface_.in_frame(corner, b);
+    const double distance = labels_.distance(surface_.from(corner)) + std::hypot(cx, cy);
+    if (distance < (1 - rounding) * best.distance) best = {distance, {.vertex = surface_.from(corner)}};
   }
 }
 

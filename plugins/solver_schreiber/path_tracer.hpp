@@ -43,6 +43,7 @@ class PathTracer {
   Index follow(Step step);
   void look_below(const Step& from, Index half_edge, double x, Onward& best) const;
   void look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const;
+  void look_for_shorter_corner(Index half_edge, double x, Onward& best) const;
   double nearest_over_corners(Index face, const std::array<double, 3>& b) const;
 
   const FlatSurface& surface_;
