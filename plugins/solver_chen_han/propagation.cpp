@@ -10,10 +10,6 @@
 namespace geodrome::chen_han {
 namespace {
 
-/// A way is worse than another only if it is longer by this share: more than the rounding of any path, so that of two
-/// equal ways none is dropped for the other.
-constexpr double rounding = 1e-13;
-
 /// Whether the image is close to the half-edge, between the ends of its window: all its lines cross at nearly one
 /// place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its lines are
 /// not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
@@ -262,7 +258,7 @@ void Propagation::filter(Span& list, double length, double at_start, double at_e
   if (!settings_.filter) return;
   const WindowArrays& w = list.windows;
   std::size_t first = 0, last = list.count;
-  const auto longer = [](double way, double other) { return way > other + rounding * way; };
+  const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
   while (first < last && longer(w.at(first, w.high[first]), at_start + w.high[first])) ++first;
   while (first < last && longer(w.at(last - 1, w.low[last - 1]), at_end + (length - w.low[last - 1]))) --last;
   counts_.filtered += list.count - (last - first);

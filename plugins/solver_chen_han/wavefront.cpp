@@ -4,15 +4,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "common/solvers/tolerances.hpp"
+
 namespace geodrome::chen_han {
 namespace {
-
-/// A half-edge leaves the queue at the least distance of its windows plus this share of its length: late enough that
-/// windows of all sides have come, early enough that what depends on it need not be done again. 0.1 and 0.4 do as well.
-constexpr double patience = 0.25;
-
-/// More than the rounding of any distance, relative.
-constexpr double rounding = 1e-13;
 
 /// No point of ordered windows is nearer than this: the distance to them changes by at most the way along them.
 double least_distance(const WindowArrays& w, std::size_t count) {
@@ -64,7 +59,7 @@ std::size_t Wavefront::push_block(Index block, Index edge, double limit) {
       waiting_[half_edge] = own;
       queue_.push(half_edge, near + patience * length);
     };
-    if (near * (1 - rounding) <= limit) surface_.for_each_across(edge, wait_at);
+    if (near * (1 - rounding_share) <= limit) surface_.for_each_across(edge, wait_at);
   }
   if (pushed == 0) store_.release(block);
   return pushed;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "solver_schreiber/path_tracer.hpp"
 
-#include <algorithm>
+#include <cmath>
 
+#include "common/solvers/tolerances.hpp"
 #include "solver_schreiber/claimant.hpp"
 
 namespace geodrome::schreiber {
@@ -28,9 +29,12 @@ Index PathTracer::follow(Step step) {
     Onward best;
     surface_.for_each_across(step.half_edge, [&](Index below, bool mirrored) {
       const double x = mirrored ? step.crossing : surface_.length(step.half_edge) - step.crossing;
+      const Onward over_corner = shortest_over_corners(below, x);
       look_for_origin(step, below, x, best);
-      look_below(step, below, x, best);
-      look_for_shorter_corner(below, x, best);
+      look_below(step, below, x, over_corner.distance, best);
+      // A front may have a gap beside a vertex at which paths bend by next to nothing. Being shorter by more than
+      // rounding, the way over that vertex does not lead back.
+      if (over_corner.distance < (1 - rounding_share) * best.distance) best = over_corner;
     });
     step = best.step;
     if (step.half_edge == no_index) return step.vertex;
@@ -58,12 +62,12 @@ void PathTracer::look_for_origin(const Step& from, Index half_edge, double x, On
   }
 }
 
-/// The shortest way on through what was kept before. The origin is taken before a front that is shorter by rounding
-/// only.
-void PathTracer::look_below(const Step& from, Index half_edge, double x, Onward& best) const {
+/// The shortest way on through what was kept before, for a point at distance `most` at most. The origin is taken before
+/// a front that is shorter by rounding only.
+void PathTracer::look_below(const Step& from, Index half_edge, double x, double most, Onward& best) const {
   constexpr double as_short = 1 - 4 * std::numeric_limits<double>::epsilon();
   const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
-  const double until = nearest_over_corners(half_edge / 3, b) + surface_.longest_side(half_edge / 3);
+  const double until = most + surface_.longest_side(half_edge / 3);
   for (const Index h : {SurfaceMesh::next(half_edge), SurfaceMesh::previous(half_edge)}) {
     const auto [px, py] = surface_.in_frame(h, b);
     kept_.for_each(h, from.front, [&, px = px, py = py](const Front& front, Index number) {
@@ -75,27 +79,17 @@ void PathTracer::look_below(const Step& from, Index half_edge, double x, Onward&
   }
 }
 
-/// A corner over which the rest is shorter by more than rounding: a front may have a gap beside a vertex at which paths
-/// bend by next to nothing. Being shorter, it does not lead back.
-void PathTracer::look_for_shorter_corner(Index half_edge, double x, Onward& best) const {
-  constexpr double rounding = 1e-13;
+/// The way over the best corner of the face below.
+PathTracer::Onward PathTracer::shortest_over_corners(Index half_edge, double x) const {
   const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
   const Index face = half_edge / 3;
+  Onward best;
   for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
     const auto [cx, cy] = surface_.in_frame(corner, b);
     const double distance = labels_.distance(surface_.from(corner)) + std::hypot(cx, cy);
-    if (distance < (1 - rounding) * best.distance) best = {distance, {.vertex = surface_.from(corner)}};
+    if (distance < best.distance) best = {distance, {.vertex = surface_.from(corner)}};
   }
-}
-
-/// An upper bound of the distance of a point.
-double PathTracer::nearest_over_corners(Index face, const std::array<double, 3>& b) const {
-  double least = std::numeric_limits<double>::infinity();
-  for (Index corner = 3 * face; corner < 3 * face + 3; ++corner) {
-    const auto [cx, cy] = surface_.in_frame(corner, b);
-    least = std::min(least, labels_.distance(surface_.from(corner)) + std::hypot(cx, cy));
-  }
-  return least;
+  return best;
 }
 
 }  // namespace geodrome::schreiber

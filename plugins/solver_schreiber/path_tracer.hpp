@@ -41,10 +41,9 @@ class PathTracer {
     Step step;
   };
   Index follow(Step step);
-  void look_below(const Step& from, Index half_edge, double x, Onward& best) const;
+  void look_below(const Step& from, Index half_edge, double x, double most, Onward& best) const;
   void look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const;
-  void look_for_shorter_corner(Index half_edge, double x, Onward& best) const;
-  double nearest_over_corners(Index face, const std::array<double, 3>& b) const;
+  Onward shortest_over_corners(Index half_edge, double x) const;
 
   const FlatSurface& surface_;
   const Labels<Step>& labels_;

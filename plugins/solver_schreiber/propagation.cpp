@@ -12,18 +12,10 @@
 namespace geodrome::schreiber {
 namespace {
 
-/// A way is worse than another only if it is longer by this share: more than the rounding of any path, so that of two
-/// equal ways none is dropped for the other.
-constexpr double rounding = 1e-13;
-
 /// Whether an image is close to a half-edge, between the ends of what it has of it: all its rays cross at nearly one
 /// place, which rounding does not tell apart any more. Such a generator goes on at once and alone, so that its rays are
 /// not bounded by places on that half-edge. (On faces without area the image lies on the half-edge.)
 bool is_close(const Generator& g, double length) { return -g.y <= close_share * length && 0 < g.x && g.x < length; }
-
-/// A half-edge leaves the queue at the least distance of its front plus this share of its length: late enough that
-/// fronts of all sides have come, early enough that what depends on it need not be done again.
-constexpr double patience = 0.25;
 
 /// More than the rounding of the distance at which a generator dies.
 constexpr double event_margin = 1e-9;
@@ -153,7 +145,7 @@ void Propagation::pass(Index half_edge, Front front, Course course) {
 /// Xin and Wang's filter, and what follows from it: |image x| - x falls along the half-edge, so where the way over its
 /// start is shorter at x it is shorter at everything before x too; likewise at the end.
 void Propagation::filter(Front& front, double length, double at_start, double at_end) {
-  const auto longer = [](double way, double other) { return way > other + rounding * way; };
+  const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
   Generator rooms[2];
   while (!front.empty()) {
     const Generator& g = front.look(0, rooms[0]);
@@ -280,7 +272,7 @@ void Propagation::hand_on(Front front, Index edge, Entry entry, const Course& co
   const double length = surface_.length(edge);
   const Ends ends = ends_of(front, length);
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
-  if (near * (1 - rounding) > limit_) return;
+  if (near * (1 - rounding_share) > limit_) return;
   const bool at_once = front.size() == 1 && is_close(front[0], length);
   if (surface_.is_fan(edge)) entry = Entry::loose;
   surface_.for_each_across(edge, [&](Index half_edge, bool same_way) {

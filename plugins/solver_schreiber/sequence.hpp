@@ -51,9 +51,6 @@ class Sequence {
   /// Whether it is one array, so that walking along it is as fast as anything.
   bool is_flat() const { return !root_ || root_->height == 0; }
 
-  /// The items, if it is one array.
-  const Item* array() const { return Pool::items(root_); }
-
   /// O(1) for trees; arrays are moved as they are, so that their items can be read where they lie.
   void move(const Motion& motion) {
     motion_ = motion * motion_;
@@ -83,11 +80,6 @@ class Sequence {
     room = (*this)[i];
     return room;
   }
-  /// The same of its key alone.
-  double key(std::size_t i) const {
-    const auto [leaf, place] = leaf_with(i);
-    return Pool::items(leaf)[place].key;
-  }
   Item front() const { return (*this)[0]; }
   Item back() const { return (*this)[size() - 1]; }
 
@@ -112,7 +104,7 @@ class Sequence {
 
   /// Removes item i. O(log n).
   void erase(std::size_t i) {
-    if (leaf_with(i).first->count > 1) {
+    if (leaf_of(i)->count > 1) {
       root_ = without(root_, i);
       return;
     }
@@ -208,8 +200,7 @@ class Sequence {
     return node;
   }
 
-  /// The leaf of item i and its place there.
-  std::pair<const Node*, std::size_t> leaf_with(std::size_t i) const {
+  const Node* leaf_of(std::size_t i) const {
     const Node* node = root_;
     while (node->height > 0) {
       const auto& inner = Pool::inner(node);
@@ -217,7 +208,7 @@ class Sequence {
       if (!is_left) i -= inner.left->count;
       node = is_left ? inner.left : inner.right;
     }
-    return {node, i};
+    return node;
   }
 
   /// Precondition: the leaf of item i holds others.

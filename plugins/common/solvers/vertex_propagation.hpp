@@ -14,13 +14,10 @@
 #include "plugins/common/solvers/entry.hpp"
 #include "plugins/common/solvers/flat_surface.hpp"
 #include "plugins/common/solvers/labels.hpp"
+#include "plugins/common/solvers/tolerances.hpp"
 #include "plugins/common/solvers/watched.hpp"
 
 namespace geodrome {
-
-/// A place nearer to another than this share of the length of an edge can no longer be told apart from it, seen from
-/// that edge.
-inline constexpr double close_share = 1e-8;
 
 /// A pseudo-source in the frame of a half-edge: in its face, or unfolded below it. A point p that a straight line from
 /// it reaches is at distance sigma + |p - (x, y)|.
