@@ -105,6 +105,41 @@ void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, 
   set_high(front, i, g);
 }
 
+/// A ray that is cut may be the one that its key speaks of, so keys are computed anew from there on.
+void FrontEditor::end_at(Front& front, double px, double py, bool all, std::size_t changed) {
+  Generator room;
+  std::size_t from = front.size() - std::min(front.size(), changed + 1);
+  for (std::size_t i = front.size(); i-- > 0;) {
+    const Generator& g = front.look(i, room);
+    if (g.has_right(px, py)) {
+      aim_high(front, i, g, px, py);
+      from = std::min(from, i);
+    } else if (!all) {
+      break;
+    }
+  }
+  // One that was as near at the point may have nothing on this side of it; its neighbour's ray is right as it is.
+  while (!front.empty() && front.back().is_sliver()) front.erase(front.size() - 1);
+  if (!front.empty()) from = std::min(from, front.size() - 1);
+  for (std::size_t i = from; i < front.size(); ++i) renew_key(front, i);
+}
+
+void FrontEditor::begin_at(Front& front, double px, double py, bool all, std::size_t changed) {
+  Generator room;
+  std::size_t end = changed + 1;
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const Generator& g = front.look(i, room);
+    if (g.has_left(px, py)) {
+      aim_low(front, i, g, px, py);
+      end = std::max(end, i + 1);
+    } else if (!all) {
+      break;
+    }
+  }
+  while (!front.empty() && front.front().is_sliver()) front.erase(0);
+  for (std::size_t i = 0; i < std::min(end, front.size()); ++i) renew_key(front, i);
+}
+
 void FrontEditor::fit(Front& front, double length, const Before& before) {
   Generator room;
   const auto is_outside = [length](const Generator& g) { return g.is_sliver() || claim_of(g, length).empty(); };

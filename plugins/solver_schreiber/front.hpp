@@ -54,16 +54,19 @@ class FrontEditor {
   void remove(Front& front, std::size_t i, const Before& before);
 
   /// Bounds the first and last ray by the ends of the half-edge: beyond them they pass its vertices on the wrong side.
-  /// What has nothing of the half-edge at an end goes.
+  /// What has nothing of the half-edge at an end goes. Precondition, also of `bury`: no ray passes the apex of the face
+  /// on the other side of it (`end_at`, `begin_at`).
   void fit(Front& front, double length, const Before& before);
 
   /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
   /// keys up to `until` can have. True if there were some.
   bool bury(Front& front, double length, double until, const Before& before);
 
-  /// Turns a ray of generator i, which is `g`, to a point.
-  static void aim_low(Front& front, std::size_t i, Generator g, double px, double py);
-  static void aim_high(Front& front, std::size_t i, Generator g, double px, double py);
+  /// Leaves no rays to the right (left) of a point, at which the front ends (begins) from now on. Unless `all` are
+  /// looked at, only those in a row at that end are known to have some. The last (first) `changed` have a new
+  /// neighbour.
+  void end_at(Front& front, double px, double py, bool all, std::size_t changed);
+  void begin_at(Front& front, double px, double py, bool all, std::size_t changed);
 
   /// A front whose rays are bounded by what its generators have of a half-edge. O(n).
   Front trimmed(const Front& front, double length);
@@ -87,6 +90,8 @@ class FrontEditor {
  private:
   Front front_of(const Pieces& pieces);
 
+  static void aim_low(Front& front, std::size_t i, Generator g, double px, double py);
+  static void aim_high(Front& front, std::size_t i, Generator g, double px, double py);
   static void set_low(Front& front, std::size_t i, const Generator& g);
   static void set_high(Front& front, std::size_t i, const Generator& g);
 

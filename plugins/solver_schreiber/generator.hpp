@@ -36,7 +36,8 @@ struct Generator {
     return {length - x, y, sigma, -high_x, high_y, -low_x, low_y, key, origin};
   }
 
-  double to(double px, double py) const { return sigma + std::sqrt((px - x) * (px - x) + (py - y) * (py - y)); }
+  double away(double px, double py) const { return std::sqrt((px - x) * (px - x) + (py - y) * (py - y)); }
+  double to(double px, double py) const { return sigma + away(px, py); }
   double at(double px) const { return to(px, 0); }
 
   /// On which side of a ray a point is: not beyond it.
@@ -87,7 +88,7 @@ struct Generator {
     if (beyond <= 0) return true;
     if (beyond > too_far * (std::abs(px - x) + std::abs(py - y)) || !(dy > 0)) return false;
     const double along = -y / dy, off = px - (x + along * dx);
-    return along + std::sqrt(off * off + py * py) <= (1 + equal_share) * (to(px, py) - sigma);
+    return along + std::sqrt(off * off + py * py) <= (1 + equal_share) * away(px, py);
   }
   double place(double dx, double dy, double length) const {
     if (dy > 0) return std::clamp(x + dx * (std::max(0.0, -y) / dy), 0.0, length);
@@ -96,7 +97,7 @@ struct Generator {
   /// A point at the image itself, but for rounding, leaves the ray as it is.
   void aim(double& dx, double& dy, double px, double py) const {
     constexpr double same_place = 3e-11;
-    const double size = std::sqrt((px - x) * (px - x) + (py - y) * (py - y));
+    const double size = away(px, py);
     if (size > same_place * (std::abs(px) + std::abs(x) + std::abs(y))) dx = (px - x) / size, dy = (py - y) / size;
   }
 };

@@ -192,26 +192,8 @@ void Propagation::carry_on(const Apex& apex, Front front, const Split& split, co
   for (std::size_t i = 0; i < ties; ++i) left.append(Front(pool_, right[i]));
   // Rays on the wrong side of the apex are not needed, and would pass it there.
   const bool all = left.is_flat() && right.is_flat();
-  Generator room;
-  for (std::size_t i = left.size(); i-- > 0;) {
-    const Generator& g = left.look(i, room);
-    if (g.has_right(apex.x, apex.y))
-      editor_.aim_high(left, i, g, apex.x, apex.y);
-    else if (!all)
-      break;
-  }
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    const Generator& g = right.look(i, room);
-    if (g.has_left(apex.x, apex.y))
-      editor_.aim_low(right, i, g, apex.x, apex.y);
-    else if (!all)
-      break;
-  }
-  // One that is as near at the apex may have nothing on the other side of it; its neighbour's ray is right as it is.
-  while (!left.empty() && left.back().is_sliver()) left.erase(left.size() - 1);
-  while (!right.empty() && right.front().is_sliver()) right.erase(0);
-  for (std::size_t i = std::min(split.right_begin, left.size() - 1); i < left.size(); ++i) editor_.renew_key(left, i);
-  for (std::size_t i = 0; i <= ties && i < right.size(); ++i) editor_.renew_key(right, i);
+  editor_.end_at(left, apex.x, apex.y, all, ties);
+  editor_.begin_at(right, apex.x, apex.y, all, ties);
   carry(apex, std::move(left), true, course, until);
   carry(apex, std::move(right), false, course, until);
 }

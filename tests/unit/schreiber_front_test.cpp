@@ -42,6 +42,12 @@ void expect_keys(const Front& front, const Motion& back = {}) {
   }
 }
 
+/// A generator that has been narrowed must not go on with the key of a ray that it lost.
+void expect_no_key_too_large(const Front& front) {
+  for (std::size_t i = 0; i < front.size(); ++i)
+    ASSERT_LE(front[i].key, lifetime_of(front, i, {}) * (1 + 1e-12)) << i << " of " << front.size();
+}
+
 void expect_in_order(const Front& front, double length) {
   const std::vector<double> ends = ends_of(front, length);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
@@ -287,13 +293,10 @@ class SchreiberBury : public SchreiberFront {
     }
     for (std::size_t i = front.size(); i-- > 0;) {
       const Generator g = front[i];
-      if (edge.is_left() ? !g.has_left(x, y) : !g.has_right(x, y)) {
-        editor_.remove(front, i, {{}, length});
-      } else if (edge.is_left() ? g.has_right(x, y) : g.has_left(x, y)) {
-        edge.is_left() ? FrontEditor::aim_high(front, i, g, x, y) : FrontEditor::aim_low(front, i, g, x, y);
-      }
+      if (edge.is_left() ? !g.has_left(x, y) : !g.has_right(x, y)) editor_.remove(front, i, {{}, length});
     }
-    for (std::size_t i = 0; i < front.size(); ++i) editor_.renew_key(front, i);
+    edge.is_left() ? editor_.end_at(front, x, y, true, 0) : editor_.begin_at(front, x, y, true, 0);
+    expect_no_key_too_large(front);
     return !front.empty();
   }
 
