@@ -140,10 +140,7 @@ TEST(SchreiberSettle, LosesNothingOfParentAndChildWhereTheHalfEdgeIsTheirLine) {
 TEST(SchreiberSettle, CutsParentAndChildAtTheirCommonRay) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
-    const double place = random.uniform(0.2, 0.8), share = random.uniform(0.1, 0.9);
-    const Window parent{random.uniform(-1, 2), -random.uniform(0.5, 1), random.uniform(0, 5), 0, place, 0, 0};
-    Window child{parent.x + share * (place - parent.x), parent.y * (1 - share), 0, place, 1, 1, 0};
-    child.sigma = parent.to(child.x, child.y);
+    const auto [parent, child, place] = random_parent_and_child(random);
     const Generator a = generator_of(parent), b = generator_of(child);
     Claim l = claim_of(a, 1), r = claim_of(b, 1);
     const Order order = settle(a, l, b, r);

@@ -204,11 +204,8 @@ TEST(SchreiberLifetime, OfASliverIsNothing) {
 TEST(SchreiberLifetime, AChildIsNotKilledByItsParentOnTheirCommonRay) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
-    const double place = random.uniform(0.2, 0.8), share = random.uniform(0.1, 0.9);
-    const Window parent{random.uniform(-1, 2), -random.uniform(0.5, 1), random.uniform(0, 5), 0, place, 0, 0};
-    Window child{parent.x + share * (place - parent.x), parent.y * (1 - share), 0, place, 1, 1, 0};
-    child.sigma = parent.to(child.x, child.y);
-    const Generator left = generator_of(parent), right = generator_of(child);
+    const ParentAndChild pair = random_parent_and_child(random);
+    const Generator left = generator_of(pair.parent), right = generator_of(pair.child);
     ASSERT_EQ(lifetime(&left, right, nullptr), infinity) << i;
     ASSERT_EQ(lifetime(nullptr, left, &right), infinity) << i;
   }

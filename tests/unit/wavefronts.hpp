@@ -34,6 +34,19 @@ inline Generator generator_of(const Window& w) {
   return g;
 }
 
+/// A pseudo-source and one behind it, on the left, which part at `place`, where their common ray meets the half-edge.
+struct ParentAndChild {
+  Window parent, child;
+  double place;
+};
+inline ParentAndChild random_parent_and_child(Random& random) {
+  const double place = random.uniform(0.2, 0.8), share = random.uniform(0.1, 0.9);
+  const Window parent{random.uniform(-1, 2), -random.uniform(0.5, 1), random.uniform(0, 5), 0, place, 0, 0};
+  Window child{parent.x + share * (place - parent.x), parent.y * (1 - share), 0, place, 1, 1, 0};
+  child.sigma = parent.to(child.x, child.y);
+  return {parent, child, place};
+}
+
 /// Where the line from the image to a point on or above the half-edge crosses it.
 inline double crossing(const Window& w, double px, double py) {
   return py > 0 ? w.x + (px - w.x) * (w.y / (w.y - py)) : px;
