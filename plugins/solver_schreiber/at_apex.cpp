@@ -17,9 +17,8 @@ Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double 
   const std::size_t best = owner_of(front, x, y, until);
   const Generator owner = front[best];
   Split split = around(owner, best, front, apex);
-  const bool all = front.is_flat();
   Generator room;
-  for (std::size_t i = 0; (i = all ? i : front.first_key_at_most(until, i)) < front.size();) {
+  for (std::size_t i = 0; (i = front.first_key_at_most(until, i)) < front.size();) {
     const Generator& g = front.look(i, room);
     const bool is_left = i < split.right_begin, is_right = i >= split.left_end;
     if (!(is_left && !g.has_left(x, y)) && !(is_right && !g.has_right(x, y))) {

@@ -1,65 +1,72 @@
 // SPDX-License-Identifier: MIT
 #include "solver_schreiber/claimant.hpp"
 
+#include <vector>
+
 namespace geodrome::schreiber {
 namespace {
 
-/// Looks for the owner of a point: a generator that has the point on the right of its boundary with the one before and
-/// on the left of that with the one behind. Where some died there can be several such; then what counts is which of
-/// those has it from the others.
+/// Looks for the owner of a point: it has the point on the right of its boundary with the one before and on the left of
+/// that with the one behind. One that has it on the wrong side of both died before it, and its neighbours meet.
 class OwnerSearch {
  public:
   OwnerSearch(const Front& front, double px, double py) : front_(front), px_(px), py_(py) {}
 
-  /// Looks at generators [first, end) one by one.
-  void walk(std::size_t first, std::size_t end) {
-    bool is_right = first == 0 || right_of_boundary(first - 1);
-    Generator rooms[2];
-    const Generator* g = &front_.look(first, rooms[0]);
-    for (std::size_t i = first; i < end; ++i) {
-      const bool is_last = i + 1 == front_.size();
-      const Generator* next = is_last ? g : &front_.look(i + 1, rooms[(i + 1 - first) % 2]);
-      const bool goes_on = !is_last && right_has(*g, *next, px_, py_);
-      if (is_right && !goes_on) add(i, *g);
-      is_right = goes_on, g = next;
-    }
-  }
-  /// The same by binary search, where all but the outermost live, so that their boundaries are in order.
-  void search(std::size_t first, std::size_t end) {
+  /// Of generators [first, end), which live, so that their boundaries are in order, the one whose the point is.
+  std::size_t search(std::size_t first, std::size_t end) const {
     std::size_t low = first, high = end - 1;
-    if (low < high && !right_of_boundary(first))  // most often the point is outside
-      high = first;
-    else if (low < high && right_of_boundary(end - 2))
+    if (low < high && !has(low, low + 1))  // most often the point is outside
+      high = low;
+    else if (low < high && has(high - 1, high))
       low = high;
     while (low < high) {
       const std::size_t middle = (low + high) / 2;
-      if (right_of_boundary(middle))
+      if (has(middle, middle + 1))
         low = middle + 1;
       else
         high = middle;
     }
-    if (low == first && first > 0 && !right_of_boundary(first - 1)) return;
-    if (low + 1 == end && end < front_.size() && right_of_boundary(low)) return;
-    add(low, front_[low]);
+    return low;
+  }
+
+  /// Takes generators [first, end) in, of which number `owner` has the point from the others; one run after the other.
+  void add(std::size_t first, std::size_t owner, std::size_t end) {
+    while (!is_open_) {
+      const std::size_t before = behind_.empty() ? owner_ : behind_.back().end - 1;
+      if (!has(before, first)) {
+        if (first == owner) break;
+        first = owner;
+      } else if (behind_.empty()) {
+        is_open_ = true;
+      } else if (--behind_.back().end == behind_.back().begin) {
+        behind_.pop_back();
+      }
+    }
+    if (is_open_) owner_ = owner++, is_open_ = false;
+    if (owner == end) return;
+    if (!behind_.empty() && behind_.back().end == owner)
+      behind_.back().end = end;
+    else
+      behind_.push_back({owner, end});
   }
 
   std::size_t owner() const { return owner_; }
 
  private:
-  bool right_of_boundary(std::size_t i) const {
-    Generator left, right;
-    return right_has(front_.look(i, left), front_.look(i + 1, right), px_, py_);
-  }
-  void add(std::size_t i, const Generator& g) {
-    if (!found_ || right_has(best_, g, px_, py_)) owner_ = i, best_ = g;
-    found_ = true;
+  struct Run {
+    std::size_t begin, end;
+  };
+  /// Whether the point is on the right of the boundary between two.
+  bool has(std::size_t left, std::size_t right) const {
+    Generator rooms[2];
+    return right_has(front_.look(left, rooms[0]), front_.look(right, rooms[1]), px_, py_);
   }
 
   const Front& front_;
   double px_, py_;
   std::size_t owner_ = 0;
-  Generator best_{};
-  bool found_ = false;
+  bool is_open_ = true;      ///< nobody owns the point yet
+  std::vector<Run> behind_;  ///< what lives behind the owner
 };
 
 }  // namespace
@@ -67,14 +74,14 @@ class OwnerSearch {
 std::size_t owner_of(const Front& front, double px, double py, double until) {
   OwnerSearch search(front, px, py);
   const std::size_t size = front.size();
-  if (front.is_flat()) {
-    search.walk(0, size);
+  if (size <= short_front) {
+    for (std::size_t i = 0; i < size; ++i) search.add(i, i, i + 1);
     return search.owner();
   }
   for (std::size_t first = 0; first < size;) {
     const std::size_t suspect = front.first_key_at_most(until, first);
-    if (first < suspect) search.search(first, suspect);
-    if (suspect < size) search.walk(suspect, suspect + 1);
+    if (first < suspect) search.add(first, search.search(first, suspect), suspect);
+    if (suspect < size) search.add(suspect, suspect, suspect + 1);
     first = suspect + 1;
   }
   return search.owner();

@@ -32,11 +32,8 @@ bool right_has(const Generator& left, const Generator& right, double px, double 
   return !is_near_at_ray(left, right, right.high_x, right.high_y, left.x + left.low_x, left.y + left.low_y);
 }
 
-namespace {
-
-/// All that the left one has lies on the right of all that the right one has: all their rays cross before the
-/// half-edge. Where the outermost two do, at q, one is not farther, and no ray of the other is needed from there on
-/// (the lemma of FrontEditor, with q for x).
+/// Where the outermost two rays cross, at q, one is not farther, and no ray of the other is needed from there on (the
+/// lemma of FrontEditor, with q for x).
 Order settle_reversed(const Generator& left, double left_low, const Generator& right, double right_high) {
   const double ux = left_low - left.x, uy = -left.y, vx = right_high - right.x, vy = -right.y;
   const double turn = ux * vy - uy * vx;
@@ -49,8 +46,6 @@ Order settle_reversed(const Generator& left, double left_low, const Generator& r
   if (nearer(of_right, of_left)) return Order::drop_left;
   return crosses ? Order::drop_right : Order::apart;
 }
-
-}  // namespace
 
 Order settle(const Generator& left, Claim& l, const Generator& right, Claim& r) {
   if (l.empty()) return Order::drop_left;

@@ -20,6 +20,10 @@ enum class Order { apart, cut, drop_left, drop_right, tangled };
 /// rounding would then take from it nothing else would cover.
 Order settle(const Generator& left, Claim& l, const Generator& right, Claim& r);
 
+/// All that the left one has, from `left_low` on, lies on the right of all that the right one has, up to `right_high`:
+/// all their rays cross before the half-edge.
+Order settle_reversed(const Generator& left, double left_low, const Generator& right, double right_high);
+
 /// What the neighbour of one that is gone had of a half-edge beside it: all where it was as near up to rounding.
 void keep_left(const Generator& left, Claim& l, const Generator& gone, const Claim& r);
 void keep_right(const Generator& gone, const Claim& l, const Generator& right, Claim& r);

@@ -11,6 +11,12 @@
 namespace geodrome::schreiber {
 namespace {
 
+/// A neighbour that has nothing of the half-edge any more, all its rays passing beyond it, may still be what ends one.
+Order settle_with_all_rays(const Generator& left, Claim& l, const Generator& right, Claim& r) {
+  if ((l.empty() || r.empty()) && l.low >= r.high) return settle_reversed(left, l.low, right, r.high);
+  return settle(left, l, right, r);
+}
+
 /// Whether generator i has nothing of the half-edge between its neighbours.
 bool is_dead(const Front& front, std::size_t i, double length) {
   Generator rooms[3];
@@ -20,12 +26,12 @@ bool is_dead(const Front& front, std::size_t i, double length) {
   if (i > 0) {
     const Generator& left = front.look(i - 1, rooms[1]);
     Claim other = claim_of(left, length);
-    if (settle(left, other, g, claim) == Order::drop_right || claim.empty()) return true;
+    if (settle_with_all_rays(left, other, g, claim) == Order::drop_right || claim.empty()) return true;
   }
   if (i + 1 < front.size()) {
     const Generator& right = front.look(i + 1, rooms[2]);
     Claim other = claim_of(right, length);
-    if (settle(g, claim, right, other) == Order::drop_left || claim.empty()) return true;
+    if (settle_with_all_rays(g, claim, right, other) == Order::drop_left || claim.empty()) return true;
   }
   return false;
 }
@@ -105,15 +111,17 @@ void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, 
   set_high(front, i, g);
 }
 
-/// A ray that is cut may be the one that its key speaks of, so keys are computed anew from there on.
-void FrontEditor::end_at(Front& front, double px, double py, bool all, std::size_t changed) {
+/// A ray that is cut may be the one that its key speaks of, so keys are computed anew. (Where a neighbour's ray is cut,
+/// or a neighbour goes, the key that one has is not too large.)
+void FrontEditor::end_at(Front& front, double px, double py) {
   Generator room;
-  std::size_t from = front.size() - std::min(front.size(), changed + 1);
+  const bool all = front.size() <= short_front;
+  std::size_t from = front.size();
   for (std::size_t i = front.size(); i-- > 0;) {
     const Generator& g = front.look(i, room);
     if (g.has_right(px, py)) {
       aim_high(front, i, g, px, py);
-      from = std::min(from, i);
+      from = i;
     } else if (!all) {
       break;
     }
@@ -124,14 +132,15 @@ void FrontEditor::end_at(Front& front, double px, double py, bool all, std::size
   for (std::size_t i = from; i < front.size(); ++i) renew_key(front, i);
 }
 
-void FrontEditor::begin_at(Front& front, double px, double py, bool all, std::size_t changed) {
+void FrontEditor::begin_at(Front& front, double px, double py) {
   Generator room;
-  std::size_t end = changed + 1;
+  const bool all = front.size() <= short_front;
+  std::size_t end = 1;
   for (std::size_t i = 0; i < front.size(); ++i) {
     const Generator& g = front.look(i, room);
     if (g.has_left(px, py)) {
       aim_low(front, i, g, px, py);
-      end = std::max(end, i + 1);
+      end = i + 1;
     } else if (!all) {
       break;
     }
@@ -140,23 +149,30 @@ void FrontEditor::begin_at(Front& front, double px, double py, bool all, std::si
   for (std::size_t i = 0; i < std::min(end, front.size()); ++i) renew_key(front, i);
 }
 
-void FrontEditor::fit(Front& front, double length, const Before& before) {
+Ends FrontEditor::fit(Front& front, double length, const Before& before) {
   Generator room;
   const auto is_outside = [length](const Generator& g) { return g.is_sliver() || claim_of(g, length).empty(); };
   while (!front.empty() && is_outside(front.look(front.size() - 1, room))) remove(front, front.size() - 1, before);
   while (!front.empty() && is_outside(front.look(0, room))) remove(front, 0, before);
-  if (front.empty()) return;
-  const Generator& first = front.look(0, room);
-  if (first.passes_low(0)) {
-    aim_low(front, 0, first, 0, 0);
-    renew_key(front, 0);
-  }
-  const std::size_t end = front.size() - 1;
-  const Generator& last = front.look(end, room);
-  if (last.passes_high(length)) {
-    aim_high(front, end, last, length, 0);
-    renew_key(front, end);
-  }
+  if (front.empty()) return {};
+  narrow_one(front, 0, length);
+  narrow_one(front, front.size() - 1, length);
+  return ends_of(front, length);
+}
+
+void FrontEditor::narrow(Front& front, double length, double until) {
+  for (std::size_t i = 0; (i = front.first_key_at_most(until, i)) < front.size(); ++i)
+    for (std::size_t j = i - std::min<std::size_t>(i, 1); j < std::min(front.size(), i + 2); ++j)
+      narrow_one(front, j, length);
+}
+
+void FrontEditor::narrow_one(Front& front, std::size_t i, double length) {
+  Generator room;
+  const Generator g = front.look(i, room);
+  const bool low = g.passes_low(0), high = g.passes_high(length);
+  if (low) aim_low(front, i, g, 0, 0);
+  if (high) aim_high(front, i, g, length, 0);
+  if (low || high) renew_key(front, i);
 }
 
 /// In the order in which they can have died: one that died must not be taken for a neighbour of others.

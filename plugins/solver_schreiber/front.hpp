@@ -17,6 +17,27 @@ namespace geodrome::schreiber {
 using Front = Sequence<Generator>;
 using FrontPool = Front::Pool;
 
+/// Fronts of so many generators at most are looked at whole where longer ones are searched: it costs little, and finds
+/// what is in no order by rounding.
+inline constexpr std::size_t short_front = 32;
+
+/// Where a front begins and ends on a half-edge, and how far it has come there.
+struct Ends {
+  double low, high, at_low, at_high;
+
+  /// Seen from a half-edge of `length` that runs the other way.
+  Ends mirrored(double length) const { return {length - high, length - low, at_high, at_low}; }
+};
+inline Ends ends_of(const Generator& first, const Generator& last, double length) {
+  const double low = first.low(length), high = last.high(length);
+  return {low, high, first.at(low), last.at(high)};
+}
+/// Precondition: not empty.
+inline Ends ends_of(const Front& front, double length) {
+  Generator rooms[2];
+  return ends_of(front.look(0, rooms[0]), front.look(front.size() - 1, rooms[1]), length);
+}
+
 /// What happened to fronts.
 struct FrontCounts {
   std::uint64_t events = 0;     ///< generators that died between their neighbours or at a seam
@@ -54,19 +75,22 @@ class FrontEditor {
   void remove(Front& front, std::size_t i, const Before& before);
 
   /// Bounds the first and last ray by the ends of the half-edge: beyond them they pass its vertices on the wrong side.
-  /// What has nothing of the half-edge at an end goes. Precondition, also of `bury`: no ray passes the apex of the face
-  /// on the other side of it (`end_at`, `begin_at`).
-  void fit(Front& front, double length, const Before& before);
+  /// What has nothing of the half-edge at an end goes. The ends of what is left, if anything. Precondition, also of
+  /// `bury`: no ray passes the apex of the face on the other side of it (`end_at`, `begin_at`).
+  Ends fit(Front& front, double length, const Before& before);
+
+  /// Bounds the rays of generators that can die up to `until`, and of those beside them, by the ends of the half-edge:
+  /// a neighbour that dies keeps rays beyond a vertex in check no longer.
+  void narrow(Front& front, double length, double until);
 
   /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
   /// keys up to `until` can have. True if there were some.
   bool bury(Front& front, double length, double until, const Before& before);
 
-  /// Leaves no rays to the right (left) of a point, at which the front ends (begins) from now on. Unless `all` are
-  /// looked at, only those in a row at that end are known to have some. The last (first) `changed` have a new
-  /// neighbour.
-  void end_at(Front& front, double px, double py, bool all, std::size_t changed);
-  void begin_at(Front& front, double px, double py, bool all, std::size_t changed);
+  /// Leaves no rays to the right (left) of a point, at which the front ends (begins) from now on. In a short
+  /// front all are looked at; else those in a row at that end, behind which none has any but the dead.
+  void end_at(Front& front, double px, double py);
+  void begin_at(Front& front, double px, double py);
 
   /// A front whose rays are bounded by what its generators have of a half-edge. O(n).
   Front trimmed(const Front& front, double length);
@@ -89,6 +113,8 @@ class FrontEditor {
 
  private:
   Front front_of(const Pieces& pieces);
+
+  void narrow_one(Front& front, std::size_t i, double length);
 
   static void aim_low(Front& front, std::size_t i, Generator g, double px, double py);
   static void aim_high(Front& front, std::size_t i, Generator g, double px, double py);

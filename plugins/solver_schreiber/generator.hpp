@@ -67,9 +67,16 @@ struct Generator {
            high_x * low_y - high_y * low_x <= 4 * std::numeric_limits<double>::epsilon();
   }
 
-  /// Where the rays meet a half-edge of `length`, or its nearer end.
-  double low(double length) const { return place(low_x, low_y, length); }
-  double high(double length) const { return place(high_x, high_y, length); }
+  /// Where the rays meet a half-edge of `length`, or its nearer end. If only one climbs, the other is beyond the end on
+  /// its side; if neither does, both are beyond one end.
+  double low(double length) const {
+    if (climbs(low_y)) return place(low_x, low_y, length);
+    return climbs(high_y) || low_x < 0 ? 0 : low_x > 0 ? length : std::clamp(x, 0.0, length);
+  }
+  double high(double length) const {
+    if (climbs(high_y)) return place(high_x, high_y, length);
+    return climbs(low_y) || high_x > 0 ? length : high_x < 0 ? 0 : std::clamp(x, 0.0, length);
+  }
 
   void set_low(double px, double py) { aim(low_x, low_y, px, py); }
   void set_high(double px, double py) { aim(high_x, high_y, px, py); }
@@ -90,9 +97,10 @@ struct Generator {
     const double along = -y / dy, off = px - (x + along * dx);
     return along + std::sqrt(off * off + py * py) <= (1 + equal_share) * away(px, py);
   }
+  /// A ray that climbs less than the rounding of some motions is along the half-edge, and crosses it at no place.
+  static bool climbs(double dy) { return dy > std::numeric_limits<double>::epsilon(); }
   double place(double dx, double dy, double length) const {
-    if (dy > 0) return std::clamp(x + dx * (std::max(0.0, -y) / dy), 0.0, length);
-    return dx == 0 ? std::clamp(x, 0.0, length) : dx < 0 ? 0 : length;
+    return std::clamp(x + dx * (std::max(0.0, -y) / dy), 0.0, length);
   }
   /// A point at the image itself, but for rounding, leaves the ray as it is.
   void aim(double& dx, double& dy, double px, double py) const {

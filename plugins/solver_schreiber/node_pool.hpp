@@ -21,7 +21,7 @@ class NodePool {
  public:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
   /// A leaf holds so many items at most. Shorter leaves have smaller memory.
-  static constexpr std::size_t leaf_size = 32;
+  static constexpr std::size_t leaf_size = 128;
 
   struct Node {
     std::uint32_t references, count;
@@ -122,7 +122,7 @@ class NodePool {
   struct Leaf : Node {
     Item items[leaf_size];
   };
-  static constexpr std::size_t page_bytes = 1 << 16, kinds = 6;
+  static constexpr std::size_t page_bytes = 1 << 16, kinds = 8;
 
   /// Items of a leaf of a kind; kind 0 is inner nodes.
   static constexpr std::size_t room(std::uint8_t kind) { return std::size_t{1} << kind; }

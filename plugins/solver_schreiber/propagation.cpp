@@ -12,25 +12,18 @@
 namespace geodrome::schreiber {
 namespace {
 
-/// Whether an image is close to a half-edge, between the ends of what it has of it: all its rays cross at nearly one
-/// place, which rounding does not tell apart any more. Such a generator goes on at once and alone, so that its rays are
-/// not bounded by places on that half-edge. (On faces without area the image lies on the half-edge.)
-bool is_close(const Generator& g, double length) { return -g.y <= close_share * length && 0 < g.x && g.x < length; }
+/// Whether an image is close to a half-edge: all its rays cross at nearly one place, which rounding does not tell apart
+/// any more. Such a generator goes on at once and alone, so that its rays are not bounded by places on that half-edge.
+/// (On faces without area the image lies on the half-edge.)
+bool is_close(const Generator& g, double length) {
+  const double close = close_share * length;
+  return -g.y <= close && 0 < g.x && g.x < length;
+}
 
 /// More than the rounding of the distance at which a generator dies.
 constexpr double event_margin = 1e-9;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-struct Ends {
-  double low, high, at_low, at_high;
-};
-Ends ends_of(const Front& front, double length) {
-  Generator rooms[2];
-  const Generator &first = front.look(0, rooms[0]), &last = front.look(front.size() - 1, rooms[1]);
-  const double low = first.low(length), high = last.high(length);
-  return {low, high, first.at(low), last.at(high)};
-}
 
 }  // namespace
 
@@ -65,7 +58,8 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double 
   const Angle to_low = angle_of(-to_end, from.y), to_high = angle_of(from.x, from.y);
   const Generator g{apex.length - from.x, -from.y,      from.sigma, to_low.cosine, to_low.sine,
                     to_high.cosine,       to_high.sine, infinity,   from.origin};
-  if (!g.is_sliver()) hand_on(Front(pool_, g), apex.half_edge, entry, Course{});
+  if (g.is_sliver()) return;
+  hand_on(Front(pool_, g), ends_of(g, g, surface_.length(apex.half_edge)), apex.half_edge, entry, Course{});
 }
 
 void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index number) {
@@ -78,13 +72,13 @@ void Propagation::process(Index half_edge) {
   if (arrivals_.size() == 1) {
     Arrival arrival = std::move(arrivals_.front());
     arrivals_.clear();
-    return pass(half_edge, std::move(arrival.front), arrival.course);
+    return pass(half_edge, std::move(arrival.front), arrival.ends, arrival.course);
   }
   const double length = surface_.length(half_edge);
   Front front(pool_);
   Course course{no_index};
   for (const Entry entry : {Entry::left, Entry::apex, Entry::right, Entry::loose}) {
-    Arrival same{Front(pool_), entry, {no_index, Course::infinity, -Course::infinity}};
+    Arrival same{Front(pool_), {}, entry, {no_index, Course::infinity, -Course::infinity}};
     for (Arrival& arrival : arrivals_)
       if (arrival.entry == entry) unite(same, std::move(arrival), length);
     course.depth = std::min(course.depth, same.course.depth);
@@ -94,7 +88,9 @@ void Propagation::process(Index half_edge) {
       editor_.join(front, std::move(same.front), length);
   }
   arrivals_.clear();
-  if (!front.empty()) pass(half_edge, std::move(front), course);
+  if (front.empty()) return;
+  const Ends ends = ends_of(front, length);
+  pass(half_edge, std::move(front), ends, course);
 }
 
 /// Fronts of one entry, which came through the same half-edge unless they are loose.
@@ -123,16 +119,16 @@ void Propagation::count_pass(Index half_edge, std::size_t generators) {
 }
 
 /// Carries a front across the face of a half-edge.
-void Propagation::pass(Index half_edge, Front front, Course course) {
+void Propagation::pass(Index half_edge, Front front, Ends ends, Course course) {
   const Apex apex(surface_, half_edge);
-  filter(front, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
+  filter(front, ends, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
   if (front.empty()) return;
   count_pass(half_edge, front.size());
-  if (keep_) kept_.keep(half_edge, front);
-  const Ends ends = ends_of(front, apex.length);
   const double widest = surface_.longest_side(half_edge / 3);
   // No point of the face that belongs to the front is farther; so nothing dies in it that does not die before.
   const double until = (0.5 * (ends.at_low + ends.at_high + (ends.high - ends.low)) + widest) * (1 + event_margin);
+  editor_.narrow(front, apex.length, until);
+  if (keep_) kept_.keep(half_edge, front);
   if (!watched_.empty()) lower_watched(half_edge, front, until);
   if (course.depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
   const Split split = split_at(apex, front, until);
@@ -144,32 +140,34 @@ void Propagation::pass(Index half_edge, Front front, Course course) {
 
 /// Xin and Wang's filter, and what follows from it: |image x| - x falls along the half-edge, so where the way over its
 /// start is shorter at x it is shorter at everything before x too; likewise at the end.
-void Propagation::filter(Front& front, double length, double at_start, double at_end) {
+void Propagation::filter(Front& front, Ends& ends, double length, double at_start, double at_end) {
   const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
+  const auto drop = [&](std::size_t i) {
+    editor_.remove(front, i, {{}, length});
+    if (!front.empty()) ends = ends_of(front, length);
+  };
   Generator rooms[2];
-  while (!front.empty()) {
+  while (!front.empty() && longer(ends.at_low, at_start + ends.low)) {
     const Generator& g = front.look(0, rooms[0]);
     Claim claim = claim_of(g, length);
-    if (!longer(g.at(claim.low), at_start + claim.low)) break;
     if (front.size() > 1) {
       const Generator& next = front.look(1, rooms[1]);
       Claim other = claim_of(next, length);
       settle(g, claim, next, other);
     }
     if (!longer(g.at(claim.high), at_start + claim.high)) break;
-    editor_.remove(front, 0, {{}, length});
+    drop(0);
   }
-  while (!front.empty()) {
+  while (!front.empty() && longer(ends.at_high, at_end + (length - ends.high))) {
     const Generator& g = front.look(front.size() - 1, rooms[0]);
     Claim claim = claim_of(g, length);
-    if (!longer(g.at(claim.high), at_end + (length - claim.high))) break;
     if (front.size() > 1) {
       const Generator& next = front.look(front.size() - 2, rooms[1]);
       Claim other = claim_of(next, length);
       settle(next, other, g, claim);
     }
     if (!longer(g.at(claim.low), at_end + (length - claim.low))) break;
-    editor_.remove(front, front.size() - 1, {{}, length});
+    drop(front.size() - 1);
   }
 }
 
@@ -191,9 +189,8 @@ void Propagation::carry_on(const Apex& apex, Front front, const Split& split, co
   const std::size_t ties = split.covered ? split.left_end - split.right_begin : 0;
   for (std::size_t i = 0; i < ties; ++i) left.append(Front(pool_, right[i]));
   // Rays on the wrong side of the apex are not needed, and would pass it there.
-  const bool all = left.is_flat() && right.is_flat();
-  editor_.end_at(left, apex.x, apex.y, all, ties);
-  editor_.begin_at(right, apex.x, apex.y, all, ties);
+  editor_.end_at(left, apex.x, apex.y);
+  editor_.begin_at(right, apex.x, apex.y);
   carry(apex, std::move(left), true, course, until);
   carry(apex, std::move(right), false, course, until);
 }
@@ -243,25 +240,26 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Course cour
   front.move(turn);
   const double length = to_left ? apex.left_length() : apex.right_length();
   const FrontEditor::Before before{turn.inverse(), apex.length};
-  editor_.fit(front, length, before);
-  if (editor_.bury(front, length, until, before)) editor_.fit(front, length, before);
+  Ends ends = editor_.fit(front, length, before);
+  if (editor_.bury(front, length, until, before)) ends = editor_.fit(front, length, before);
   if (front.empty()) return;
-  hand_on(std::move(front), to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, course);
+  hand_on(std::move(front), ends, to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, course);
 }
 
 /// Lets a front wait at every other half-edge on an edge. It is in the frame of one that runs against `edge`.
-void Propagation::hand_on(Front front, Index edge, Entry entry, const Course& course) {
+void Propagation::hand_on(Front front, const Ends& ends, Index edge, Entry entry, const Course& course) {
   const double length = surface_.length(edge);
-  const Ends ends = ends_of(front, length);
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
   if (near * (1 - rounding_share) > limit_) return;
   const bool at_once = front.size() == 1 && is_close(front[0], length);
   if (surface_.is_fan(edge)) entry = Entry::loose;
   surface_.for_each_across(edge, [&](Index half_edge, bool same_way) {
     Front own = same_way ? editor_.mirrored(front, length) : front;
-    if (at_once) return pass(half_edge, std::move(own), course);
-    waiting_.push(half_edge, near + patience * length,
-                  {std::move(own), same_way ? mirrored(entry) : entry, same_way ? course.mirrored() : course});
+    const Ends own_ends = same_way ? ends.mirrored(length) : ends;
+    if (at_once) return pass(half_edge, std::move(own), own_ends, course);
+    waiting_.push(
+        half_edge, near + patience * length,
+        {std::move(own), own_ends, same_way ? mirrored(entry) : entry, same_way ? course.mirrored() : course});
   });
 }
 

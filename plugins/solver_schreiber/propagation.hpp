@@ -62,8 +62,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   void process(Index half_edge);
   void unite(Arrival& all, Arrival arrival, double length);
-  void pass(Index half_edge, Front front, Course course);
-  void filter(Front& front, double length, double at_start, double at_end);
+  void pass(Index half_edge, Front front, Ends ends, Course course);
+  void filter(Front& front, Ends& ends, double length, double at_start, double at_end);
   void lower_watched(Index half_edge, const Front& front, double until);
   void count_pass(Index half_edge, std::size_t generators);
 
@@ -81,7 +81,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void carry_on(const Apex& apex, Front front, const Split& split, const Course& course, double until);
   void carry_one_by_one(const Apex& apex, const Front& front, const Course& course, double until);
   void carry(const Apex& apex, Front front, bool to_left, Course course, double until);
-  void hand_on(Front front, Index edge, Entry entry, const Course& course);
+  void hand_on(Front front, const Ends& ends, Index edge, Entry entry, const Course& course);
 
   FrontPool pool_;
   FrontEditor editor_;

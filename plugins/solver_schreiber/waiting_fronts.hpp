@@ -32,6 +32,7 @@ struct Course {
 /// A front that waits at a half-edge.
 struct Arrival {
   Front front;
+  Ends ends;
   Entry entry;
   Course course;
 };

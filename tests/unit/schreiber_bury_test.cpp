@@ -42,7 +42,7 @@ class SchreiberBury : public SchreiberFront {
       const Generator g = front[i];
       if (edge.is_left() ? !g.has_left(x, y) : !g.has_right(x, y)) editor_.remove(front, i, {{}, length});
     }
-    edge.is_left() ? editor_.end_at(front, x, y, true, 0) : editor_.begin_at(front, x, y, true, 0);
+    edge.is_left() ? editor_.end_at(front, x, y) : editor_.begin_at(front, x, y);
     expect_no_key_too_large(front);
     return !front.empty();
   }
@@ -70,7 +70,7 @@ class SchreiberBury : public SchreiberFront {
         [&](const Generator& g) { wide += g.high(edge.length()) - g.low(edge.length()) > 1e-12 * edge.length(); });
     EXPECT_GE(trimmed.size(), wide) << "some of them are dead";
     expect_in_order(trimmed, edge.length());
-    for (const double place : sample_places(edge.length(), ends_of(trimmed, edge.length()), random)) {
+    for (const double place : sample_places(edge.length(), places_of(trimmed, edge.length()), random)) {
       const Truth t = truth_at(edge.at(place).x, edge.at(place).y);
       if (!t.is_clear()) continue;
       ++needed_;
@@ -104,7 +104,7 @@ TEST_F(SchreiberBury, LeavesTheLowerEnvelopeOfALongFront) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    const auto windows = many_windows(random, 300, 1);
+    const auto windows = many_windows(random, 1200, 1);
     const Front whole = envelope(editor_, pool_, windows, 1);
     EXPECT_FALSE(whole.is_flat());
     for (int i = 0; i < 20; ++i) {
@@ -169,6 +169,23 @@ TEST_F(SchreiberBury, LeavesTheLowerEnvelopeAcrossManyFaces) {
   EXPECT_GT(faces, 800);
   EXPECT_GT(needed_, 5000);
   EXPECT_GT(editor_.counts().events, 500u);
+}
+
+/// All rays of the first pass the half-edge beyond its end, where it is nearer than the second, which enters on its
+/// right but has its part on the left: that one is dead, and then the first is, behind the third.
+TEST_F(SchreiberBury, OneBesideTheHalfEdgeEndsItsNeighbour) {
+  const Generator first = generator_of({-10, -0.5, 0, 1, 1.2, 1, 1}),
+                  second = generator_of({-3, -0.5, 7, 0.4, 1, 2, 2}),
+                  third = generator_of({0.5, -1, 9.5, 0.5, 1, 3, 3});
+  ASSERT_LT(first.at(1), second.at(1));
+  for (const bool mirrored : {false, true}) {
+    Front front = editor_.front_of({first, second, third});
+    if (mirrored) front = editor_.mirrored(front, 1);
+    // They came through a half-edge 0.3 below, from -6 to 1.
+    EXPECT_TRUE(editor_.bury(front, 1, 1e9, {{1, 0, mirrored ? 0.0 : 6.0, 0.3}, 7}));
+    ASSERT_EQ(front.size(), 1u) << mirrored;
+    EXPECT_EQ(front[0].origin, third.origin);
+  }
 }
 
 TEST_F(SchreiberBury, LooksOnlyAtThoseWhoseKeyIsReached) {

@@ -48,7 +48,7 @@ TEST_F(SchreiberOwner, OfAShortFrontIsTheNearestOfAll) {
     const auto windows = random_windows(random, 1 + seed % 20, length, power(random, 1e-3, 1), seed % 2 == 0);
     const Front front = envelope(editor_, pool_, windows, length);
     EXPECT_TRUE(front.is_flat());
-    expect_owners(front, windows, length, 20, at_the_point, random);
+    expect_owners(front, windows, length, 20, length, random);
     if (HasFailure()) return;
   }
   EXPECT_GT(asked_, 10000);
@@ -60,7 +60,7 @@ TEST_F(SchreiberOwner, OfALongFrontIsTheNearestOfAll) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    const auto windows = many_windows(random, 100 * seed, 1);
+    const auto windows = many_windows(random, 400 * (1 + seed), 1);
     const Front front = envelope(editor_, pool_, windows, 1);
     EXPECT_FALSE(front.is_flat());
     longest = std::max(longest, front.size());
@@ -77,7 +77,7 @@ TEST_F(SchreiberOwner, OfALongFrontWithGapsIsTheNearestOfAll) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    auto windows = many_windows(random, 300, 1);
+    auto windows = many_windows(random, 1200, 1);
     for (Window& w : windows) {
       w.low = std::max(0.0, w.x - 0.01 * random.uniform()), w.high = std::min(1.0, w.x + 0.01 * random.uniform());
     }
@@ -93,7 +93,7 @@ TEST_F(SchreiberOwner, OfALongFrontWithGapsIsTheNearestOfAll) {
 /// Moved, a long front holds its generators in other frames.
 TEST_F(SchreiberOwner, OfALongFrontIsTheSameInAnotherFrame) {
   Random random(1);
-  const auto windows = many_windows(random, 300, 1);
+  const auto windows = many_windows(random, 1200, 1);
   const Front front = envelope(editor_, pool_, windows, 1);
   Front moved = front;
   const Motion motion{std::cos(0.3), std::sin(0.3), 2, 1};
@@ -196,7 +196,7 @@ TEST(SchreiberKeptFronts, StayAsTheyWereWhateverIsDoneWithTheirCopies) {
   FrontPool pool;
   FrontEditor editor(pool);
   Random random(3);
-  Front front = envelope(editor, pool, many_windows(random, 200, 1), 1);
+  Front front = envelope(editor, pool, many_windows(random, 800, 1), 1);
   KeptFronts kept;
   kept.prepare(1);
   kept.keep(0, front);

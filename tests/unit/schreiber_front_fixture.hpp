@@ -18,7 +18,7 @@ inline std::vector<Generator> generators_of(const Front& front) {
   front.for_each([&](const Generator& g) { all.push_back(g); });
   return all;
 }
-inline std::vector<double> ends_of(const Front& front, double length) {
+inline std::vector<double> places_of(const Front& front, double length) {
   std::vector<double> ends;
   front.for_each([&](const Generator& g) { ends.push_back(g.low(length)), ends.push_back(g.high(length)); });
   return ends;
@@ -48,7 +48,7 @@ inline void expect_no_key_too_large(const Front& front) {
 }
 
 inline void expect_in_order(const Front& front, double length) {
-  const std::vector<double> ends = ends_of(front, length);
+  const std::vector<double> ends = places_of(front, length);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
     if (i % 2 == 0) {
       ASSERT_LT(ends[i], ends[i + 1]) << i / 2 << " has nothing";

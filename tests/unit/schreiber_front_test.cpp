@@ -17,7 +17,7 @@ namespace {
 // ---- merge
 
 void expect_envelope(const Front& front, const std::vector<Window>& windows, double length, Random& random) {
-  std::vector<double> ends = ends_of(front, length);
+  std::vector<double> ends = places_of(front, length);
   for (const Window& w : windows) ends.push_back(w.low), ends.push_back(w.high);
   for (const double x : sample_places(length, ends, random)) {
     const double expected = truth(windows, x, 0).straight, seen = nearest_covering(front, x, 0);
@@ -79,7 +79,7 @@ TEST_F(SchreiberFront, MergingPutsAnotherIntoTheMiddleOfOne) {
 
 TEST_F(SchreiberFront, MergingALongOneIsTheLowerEnvelope) {
   Random random(1);
-  const auto windows = many_windows(random, 400, 2);
+  const auto windows = many_windows(random, 1600, 2);
   const Front front = envelope(editor_, pool_, windows, 2);
   EXPECT_GT(front.size(), 100u);
   EXPECT_FALSE(front.is_flat());
@@ -112,7 +112,7 @@ int expect_shortest(const Front& front, const Scene& scene, Random& random) {
     EXPECT_GE(g.low(scene.length), given.low - 1e-12 * scene.length);
     EXPECT_LE(g.high(scene.length), given.high + 1e-12 * scene.length);
   });
-  for (const double x : sample_places(scene.length, ends_of(front, scene.length), random)) {
+  for (const double x : sample_places(scene.length, places_of(front, scene.length), random)) {
     double expected = infinity, bend = infinity;
     for (const Entered& e : scene.windows) {
       expected = std::min(expected, straight(e.window, x, 0));
