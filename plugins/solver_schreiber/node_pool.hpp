@@ -55,6 +55,14 @@ class NodePool {
     for (std::size_t i = 0; i < node->count; ++i) node->least_key = std::min(node->least_key, items(node)[i].key);
   }
 
+  /// The same of a leaf in which one key became another. O(1) unless that was the least.
+  static void recount_key(Node* leaf, double before, double key) {
+    if (key <= leaf->least_key)
+      leaf->least_key = key;
+    else if (before == leaf->least_key)
+      recount(leaf);
+  }
+
   /// A leaf with room for `count` items and that count, the items of any value.
   Node* leaf(std::size_t count) {
     std::uint8_t kind = 1;

@@ -89,13 +89,15 @@ class Sequence {
     if (root_) walk(root_, motion_, visit);
   }
 
-  /// Calls `change(item, to_frame)` with item i as it is stored; `to_frame` moves it to the frame of the sequence. Its
-  /// key stays as it is. O(log n).
+  /// Calls `change(item, to_frame)` with item i as it is stored; `to_frame` moves it to the frame of the sequence.
+  /// O(log n).
   template <class Change>
   void update(std::size_t i, Change&& change) {
     root_ = updated(root_, i, motion_, change);
   }
-  void set_key(std::size_t i, double key) { root_ = with_key(root_, i, key); }
+  void set_key(std::size_t i, double key) {
+    update(i, [key](Item& item, const Motion&) { item.key = key; });
+  }
 
   /// The first item from `from` on with a key at most `limit`; size() if there is none. O(log n).
   std::size_t first_key_at_most(double limit, std::size_t from) const { return root_ ? find(root_, limit, from) : 0; }
@@ -229,7 +231,10 @@ class Sequence {
   Node* updated(Node* node, std::size_t i, const Motion& motion, Change& change) {
     node = pool_->own(node);
     if (node->height == 0) {
-      change(Pool::items(node)[i], motion);
+      Item& item = Pool::items(node)[i];
+      const double before = item.key;
+      change(item, motion);
+      Pool::recount_key(node, before, item.key);
       return node;
     }
     auto& inner = Pool::inner(node);
@@ -238,23 +243,6 @@ class Sequence {
       inner.left = updated(inner.left, i, motion, change);
     else
       inner.right = updated(inner.right, i - middle, motion * inner.motion, change);
-    return node;
-  }
-
-  Node* with_key(Node* node, std::size_t i, double key) {
-    node = pool_->own(node);
-    if (node->height == 0) {
-      const double before = std::exchange(Pool::items(node)[i].key, key);
-      if (key <= node->least_key)
-        node->least_key = key;
-      else if (!(before > node->least_key))
-        Pool::recount(node);
-      return node;
-    }
-    auto& inner = Pool::inner(node);
-    const std::size_t middle = inner.left->count;
-    (i < middle ? inner.left : inner.right) =
-        i < middle ? with_key(inner.left, i, key) : with_key(inner.right, i - middle, key);
     Pool::recount(node);
     return node;
   }
