@@ -5,6 +5,6 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 
 tools/setup/dependencies.sh
-cmake --preset release -DGEODROME_BUILD_TESTS=ON -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
+cmake --preset release -DGEODROME_BUILD_TESTS=ON -DGEODROME_BUILD_BENCH=ON -DCMAKE_CXX_COMPILER_LAUNCHER=ccache
 cmake --build --preset release
 ctest --preset release
