@@ -20,6 +20,7 @@ class IndexedHeap {
 
   bool empty() const { return entries_.empty(); }
   double top_key() const { return entries_.front().key(); }
+  Index top() const { return entries_.front().element(); }
   bool holds(Index element) const { return place_[element] != nowhere; }
   std::size_t bytes() const { return place_.capacity() * sizeof(Index) + entries_.capacity() * sizeof(Entry); }
 

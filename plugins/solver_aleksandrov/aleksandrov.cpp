@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "solver_aleksandrov/aleksandrov.hpp"
+
+#include <limits>
+#include <utility>
+
+#include "common/solvers/exact_search.hpp"
+#include "solver_aleksandrov/propagation.hpp"
+
+namespace geodrome {
+namespace {
+
+class AleksandrovPrepared final : public PreparedSurface {
+ public:
+  AleksandrovPrepared(MeshPtr mesh, const aleksandrov::Settings& settings, RunContext& context)
+      : surface_(std::make_shared<const FlatSurface>(std::move(mesh))),
+        discretization_(std::make_shared<const aleksandrov::Discretization>(*surface_, settings, context)) {}
+
+  std::unique_ptr<Search> make_search() const override {
+    return std::make_unique<ExactSearch<aleksandrov::Propagation>>(surface_, discretization_);
+  }
+  std::size_t bytes() const override { return surface_->bytes() + discretization_->bytes(); }
+
+ private:
+  std::shared_ptr<const FlatSurface> surface_;
+  std::shared_ptr<const aleksandrov::Discretization> discretization_;
+};
+
+aleksandrov::Triangulation triangulation_named(const std::string& name) {
+  using enum aleksandrov::Triangulation;
+  return name == "as_is" ? as_is : name == "flipped" ? flipped : refined;
+}
+
+}  // namespace
+
+AleksandrovSolver::AleksandrovSolver(const OptionValues& options) {
+  settings_.delta = options.number("delta");
+  settings_.placement = options.text("placement") == "thin" ? aleksandrov::Placement::thin
+                                                            : aleksandrov::Placement::published;
+  settings_.triangulation = triangulation_named(options.text("triangulation"));
+  settings_.thinning = options.number("unguaranteed_thinning");
+}
+
+double AleksandrovSolver::factor(const OptionValues* options) noexcept {
+  const bool proven = options->number("unguaranteed_thinning") == 1;
+  return proven ? 1 + options->number("delta") : std::numeric_limits<double>::infinity();
+}
+
+std::unique_ptr<PreparedSurface> AleksandrovSolver::prepare(MeshPtr mesh, RunContext& context) const {
+  context.throw_if_cancelled();
+  if (!mesh->face_weights().empty())
+    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  return std::make_unique<AleksandrovPrepared>(std::move(mesh), settings_, context);
+}
+
+}  // namespace geodrome

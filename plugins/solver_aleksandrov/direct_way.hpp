@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "solver_aleksandrov/steiner_graph.hpp"
+
+namespace geodrome::aleksandrov {
+
+/// A straight way between two places through faces around a common vertex.
+struct DirectWay {
+  /// Where it crosses an edge: `x` from the start of half-edge `h` in the face it leaves, then half-edge `g`.
+  struct Crossing {
+    Index h, g;
+    double x;
+  };
+  double distance = std::numeric_limits<double>::infinity();
+  std::vector<Crossing> crossings;
+};
+
+/// The shortest straight way from one place to another within the faces around a corner that their faces have in
+/// common; none if there is none. Two places far nearer to a vertex than its vicinity is wide are joined by nothing else
+/// that keeps the factor. O(degree).
+DirectWay direct_way(const SteinerGraph& graph, const SurfacePoint& from, const SurfacePoint& to);
+
+}  // namespace geodrome::aleksandrov

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "solver_aleksandrov/graph_search.hpp"
+
+#include <cmath>
+
+namespace geodrome::aleksandrov {
+
+/// Strips are compared by squares: a root only for what is shorter. A tie counts as shorter, so that a lower source can
+/// take it.
+std::pair<const ImprovingEdges::Edge*, const ImprovingEdges::Edge*> ImprovingEdges::edges_from(Index node) const {
+  struct Reader {
+    const ImprovingEdges& view;
+    Index node;
+    double base;
+    const double *t, *best;
+
+    void via(Index, Point2, Index) const {}
+    void vertex(Index corner, double length) const {
+      const Index to = view.graph_.corner(corner).vertex;
+      ++view.compared_;
+      if (base + length <= best[to]) view.found_.push_back({node, to, base + length});
+    }
+    void strip(const SteinerGraph::Strip& s) const {
+      view.compared_ += s.last - s.first;
+      for (Index to = s.first; to < s.last; ++to) {
+        const double x = s.x - t[to] * s.dx, y = s.y - t[to] * s.dy, square = x * x + y * y;
+        const double slack = best[to] - base;
+        if (slack < 0 || square > slack * slack) continue;
+        view.found_.push_back({node, to, base + std::sqrt(square)});
+      }
+    }
+  };
+  found_.clear();
+  graph_.for_each_edge(node, Reader{*this, node, labels_.distance(node), graph_.distances(), labels_.distances()});
+  return {found_.data(), found_.data() + found_.size()};
+}
+
+void GraphSearch::begin() {
+  for (const Index node : labels_.touched()) color_[node] = boost::white_color;
+  labels_.clear();
+  queue_.clear();
+  seeds_.clear();
+  edges_.reset_count();
+}
+
+void GraphSearch::seed(Index node, double distance, Index source) {
+  if (!labels_.improves(node, distance, source)) return;
+  if (labels_.source(node) == no_index) seeds_.push_back(node);
+  labels_.set(node, distance, source, no_index);
+}
+
+}  // namespace geodrome::aleksandrov

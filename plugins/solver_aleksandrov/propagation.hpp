@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "common/solvers/labels.hpp"
+#include "common/solvers/watched.hpp"
+#include "geodrome/shortest_path_solver.hpp"
+#include "solver_aleksandrov/direct_way.hpp"
+#include "solver_aleksandrov/discretization.hpp"
+#include "solver_aleksandrov/graph_search.hpp"
+#include "solver_aleksandrov/traced_path.hpp"
+
+namespace geodrome::aleksandrov {
+
+/// A search over the Steiner graph from any places of a surface, in the form that ExactSearch asks for. All distances
+/// are those of the flat surface. Used again and again: a run costs what it reaches.
+class Propagation {
+ public:
+  using Settings = std::shared_ptr<const Discretization>;
+  static constexpr std::size_t steps_a_poll = GraphSearch::steps_a_poll;
+
+  /// The shortest way to a place: from a node, or straight from a start.
+  struct Way {
+    double distance = std::numeric_limits<double>::infinity();
+    Index source = no_index;
+    Index node = no_index, start = no_index;
+    SurfacePoint at;  ///< the place, in a face of the graph's triangulation
+  };
+
+  Propagation(const FlatSurface& surface, const Settings& discretization);
+
+  void begin(bool keep, double limit);
+  void seed(const Source& source, Index number);
+  std::vector<Watched>& watched() { return watched_; }
+  const std::vector<Watched>& watched() const { return watched_; }
+
+  template <class LowerLimit>
+  void run(const RunContext& context, LowerLimit&& lower_limit) {
+    std::size_t polls = 0;  // looking at watched points must cost less than the search
+    search_.run(context, limit_, [&] {
+      if (++polls % (1 + watched_.size() / 64) == 0) look_at_watched();
+      return lower_limit();
+    });
+    finish();
+  }
+
+  /// Labels of the vertices of the flat surface.
+  class VertexLabels {
+   public:
+    explicit VertexLabels(const NodeLabels& nodes) : nodes_(nodes) {}
+    double distance(Index vertex) const { return nodes_.distance(vertex); }
+    Label operator[](Index vertex) const { return {nodes_.distance(vertex), {}, no_index, nodes_.source(vertex)}; }
+    const std::vector<Index>& touched() const { return touched_; }
+
+   private:
+    friend Propagation;
+    const NodeLabels& nodes_;
+    std::vector<Index> touched_;
+  };
+  const VertexLabels& labels() const { return labels_; }
+
+  Way way_to(const SurfacePoint& inner, double best) const;
+  void trace(const Way& way, std::vector<SurfacePoint>& out) const;
+  void trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const;
+
+  std::array<Counter, 5> counters() const;
+
+ private:
+  /// A source that is no vertex, by one of its names in the graph's triangulation.
+  struct Start {
+    SurfacePoint at;
+    double distance;
+    Index source;
+  };
+
+  const SteinerGraph& graph() const { return discretization_->graph(); }
+  void look_at_watched();
+  bool trace_nodes(Index node, TracedPath& path) const;
+  void finish();
+
+  Settings discretization_;
+  GraphSearch search_;
+  VertexLabels labels_;
+  std::vector<Start> starts_;
+  std::vector<Watched> watched_;
+  double limit_ = 0;
+};
+
+}  // namespace geodrome::aleksandrov
