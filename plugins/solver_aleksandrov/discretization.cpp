@@ -15,14 +15,20 @@ constexpr double tiny = 1e-14;
 /// Nearer to an edge than this share of the face's size, a place is on it.
 constexpr double on_edge = 4e-15;
 
+double edges(const IntrinsicTriangulation& triangulation, const Settings& settings) {
+  return edge_count(triangulation, {triangulation, settings.placement, settings.delta, settings.thinning});
+}
+
+/// Refinement pays where thin faces can be had rid of, not where the surface is a thin strip: then it makes many.
 IntrinsicTriangulation triangulated(const FlatSurface& surface, const Settings& settings, const RunContext& context) {
-  IntrinsicTriangulation result(surface, tiny);
-  if (settings.triangulation == Triangulation::as_is) return result;
-  make_delaunay(result, context);
-  if (settings.triangulation == Triangulation::flipped) return result;
-  const Index most = 100000 + 10 * std::min<Index>(result.face_count(), 100000000);
-  refine(result, settings.least_angle * std::numbers::pi / 180, most, context);
-  return result;
+  IntrinsicTriangulation flipped(surface, tiny);
+  if (settings.triangulation == Triangulation::as_is) return flipped;
+  make_delaunay(flipped, context);
+  if (settings.triangulation == Triangulation::flipped) return flipped;
+  IntrinsicTriangulation refined = flipped;
+  const Index most = 100000 + 10 * std::min<Index>(refined.face_count(), 100000000);
+  if (refine(refined, settings.least_angle * std::numbers::pi / 180, most, context) == 0) return flipped;
+  return edges(refined, settings) < edges(flipped, settings) ? refined : flipped;
 }
 
 }  // namespace

@@ -225,6 +225,12 @@ void IntrinsicTriangulation::restore(Index f, const Barycentric& from, const Bar
   past_.restore({triangle_of_face_[f], from, to}, out);
 }
 
+double to_opposite_side(const IntrinsicTriangulation::Face& face, int i) {
+  const int j = (i + 1) % 3, k = (i + 2) % 3;
+  if (face.cosine[j] >= 0 && face.cosine[k] >= 0) return face.length[i] * face.sine[j];
+  return std::min(face.length[i], face.length[k]);
+}
+
 std::size_t IntrinsicTriangulation::bytes() const {
   return faces_.size() * (sizeof(Face) + 3 * sizeof(Index) + 1) + weights_.size() * sizeof(double) +
          (triangle_of_face_.size() + face_of_triangle_.size()) * sizeof(Index) + past_.bytes();

@@ -93,4 +93,7 @@ class IntrinsicTriangulation {
   Rearrangements past_;
 };
 
+/// The distance from corner i of a face to the side opposite to it.
+double to_opposite_side(const IntrinsicTriangulation::Face& face, int i);
+
 }  // namespace geodrome::aleksandrov

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver_aleksandrov/propagation.hpp"
 
+#include <algorithm>
+
 namespace geodrome::aleksandrov {
 
 Propagation::Propagation(const FlatSurface&, const Settings& discretization)
@@ -8,7 +10,7 @@ Propagation::Propagation(const FlatSurface&, const Settings& discretization)
 
 void Propagation::begin(bool, double limit) {
   search_.begin();
-  starts_.clear(), watched_.clear(), labels_.touched_.clear();
+  starts_.clear(), starts_at_.clear(), watched_.clear(), labels_.touched_.clear();
   limit_ = limit;
 }
 
@@ -30,9 +32,25 @@ void Propagation::seed(const Source& source, Index number) {
     }
   };
   graph().for_each_name(discretization_->located(surface.inner(source.at)), [&](const SurfacePoint& name) {
-    starts_.push_back({name, source.start, number});
+    for (Index i = 0; i < 3; ++i)
+      starts_at_.emplace_back(graph().corner(3 * name.face + i).vertex, static_cast<Index>(starts_.size()));
+    starts_.push_back({name, source.start, number, surface.inner(source.at)});
     graph().for_each_edge(name, Seeds{search_, graph(), source.start, number});
   });
+}
+
+/// Those that have a corner in common with the face of a place.
+std::vector<Index> Propagation::starts_near(const SurfacePoint& at) const {
+  std::vector<Index> near;
+  for (Index i = 0; i < 3; ++i) {
+    const std::pair<Index, Index> first{graph().corner(3 * at.face + i).vertex, 0};
+    for (auto s = std::lower_bound(starts_at_.begin(), starts_at_.end(), first);
+         s != starts_at_.end() && s->first == first.first; ++s)
+      near.push_back(s->second);
+  }
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
+  return near;
 }
 
 void Propagation::look_at_watched() {
@@ -71,11 +89,12 @@ Propagation::Way Propagation::way_to(const SurfacePoint& inner, double best) con
   way.distance = best;
   graph().for_each_name(discretization_->located(inner), [&](const SurfacePoint& name) {
     graph().for_each_edge(name, Nearest{graph(), search_.labels(), way, &name});
-    for (Index i = 0; i < starts_.size(); ++i) {
+    for (const Index i : starts_near(name)) {
       const double distance = starts_[i].distance + direct_way(graph(), starts_[i].at, name).distance;
       if (distance < way.distance) way = {distance, starts_[i].source, no_index, i, name};
     }
   });
+  way.flat = inner;
   return way.source == no_index ? Way{} : way;
 }
 
@@ -83,25 +102,26 @@ void Propagation::trace(const Way& way, std::vector<SurfacePoint>& out) const {
   TracedPath path(*discretization_);
   if (way.start != no_index) {
     path.direct(way.at, starts_[way.start].at);
-  } else {
-    path.to_node(way.at, way.node);
-    trace_nodes(way.node, path);
+    return path.append_inner_points(way.flat, starts_[way.start].flat, out);
   }
-  path.append_inner_points(out);
+  path.to_node(way.at, way.node);
+  const SurfacePoint end = trace_nodes(way.node, path);
+  path.append_inner_points(way.flat, end, out);
 }
 
 void Propagation::trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const {
   TracedPath path(*discretization_);
-  if (!trace_nodes(vertex, path)) return;
+  const SurfacePoint end = trace_nodes(vertex, path);
+  if (path.empty()) return;
   const FlatSurface& surface = discretization_->surface();
-  out.push_back(surface.mesh().at_vertex(surface.original_vertex(vertex)));
-  path.append_inner_points(out);
+  const SurfacePoint start = surface.mesh().at_vertex(surface.original_vertex(vertex));
+  out.push_back(start);
+  path.append_inner_points(surface.inner(start), end, out);
 }
 
-/// From a node to its source; false if the node is at its source.
-bool Propagation::trace_nodes(Index node, TracedPath& path) const {
+/// From a node to its source, whose name in the flat surface is returned.
+SurfacePoint Propagation::trace_nodes(Index node, TracedPath& path) const {
   const NodeLabels& labels = search_.labels();
-  const Index first = node;
   for (Index next = labels.previous(node); next != no_index; node = next, next = labels.previous(node))
     path.between_nodes(node, next);
   const Start* nearest = nullptr;
@@ -111,9 +131,12 @@ bool Propagation::trace_nodes(Index node, TracedPath& path) const {
     const double distance = start.distance + path.length_to_node(start.at, node);
     if (distance < best) best = distance, nearest = &start;
   }
-  if (!nearest) return node != first;
-  path.from_node(node, nearest->at);
-  return true;
+  if (nearest) {
+    path.from_node(node, nearest->at);
+    return nearest->flat;
+  }
+  const FlatSurface& surface = discretization_->surface();
+  return surface.inner(surface.mesh().at_vertex(surface.original_vertex(node)));
 }
 
 std::array<Counter, 5> Propagation::counters() const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -28,7 +29,8 @@ class Propagation {
     double distance = std::numeric_limits<double>::infinity();
     Index source = no_index;
     Index node = no_index, start = no_index;
-    SurfacePoint at;  ///< the place, in a face of the graph's triangulation
+    SurfacePoint at;    ///< the place, in a face of the graph's triangulation
+    SurfacePoint flat;  ///< the place, in a face of the flat surface
   };
 
   Propagation(const FlatSurface& surface, const Settings& discretization);
@@ -40,6 +42,7 @@ class Propagation {
 
   template <class LowerLimit>
   void run(const RunContext& context, LowerLimit&& lower_limit) {
+    std::sort(starts_at_.begin(), starts_at_.end());
     std::size_t polls = 0;  // looking at watched points must cost less than the search
     search_.run(context, limit_, [&] {
       if (++polls % (1 + watched_.size() / 64) == 0) look_at_watched();
@@ -75,17 +78,20 @@ class Propagation {
     SurfacePoint at;
     double distance;
     Index source;
+    SurfacePoint flat;  ///< in the flat surface
   };
 
   const SteinerGraph& graph() const { return discretization_->graph(); }
+  std::vector<Index> starts_near(const SurfacePoint& at) const;
   void look_at_watched();
-  bool trace_nodes(Index node, TracedPath& path) const;
+  SurfacePoint trace_nodes(Index node, TracedPath& path) const;
   void finish();
 
   Settings discretization_;
   GraphSearch search_;
   VertexLabels labels_;
   std::vector<Start> starts_;
+  std::vector<std::pair<Index, Index>> starts_at_;  ///< (vertex of its face, start), ascending in a run
   std::vector<Watched> watched_;
   double limit_ = 0;
 };

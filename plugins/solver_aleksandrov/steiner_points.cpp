@@ -16,13 +16,6 @@ constexpr double largest_step = 0.95;
 /// Vicinities this small are rounding: about 1 is the mean edge.
 constexpr double rounding = 1e-15;
 
-/// The distance from corner i of a face to the side opposite.
-double to_opposite_side(const IntrinsicTriangulation::Face& face, int i) {
-  const int j = (i + 1) % 3, k = (i + 2) % 3;
-  if (face.cosine[j] >= 0 && face.cosine[k] >= 0) return face.length[i] * face.sine[j];
-  return std::min(face.length[i], face.length[k]);
-}
-
 }  // namespace
 
 HalfAngle half_angle(const IntrinsicTriangulation::Face& face, int i) {
@@ -66,6 +59,14 @@ Bisector SteinerPlacement::at(Index h) const {
   const double cells = std::ceil(cells_wanted / (std::log1p(step) - std::log1p(-step)));
   const double ratio = std::exp(cells_wanted / cells);
   return {radius * 2 * ratio / (1 + ratio), ratio, cells};
+}
+
+double edge_count(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement) {
+  double edges = 0;
+  const auto points = [&](Index h) { return placement.at(h).count + placement.at(SurfaceMesh::next(h)).count + 2; };
+  for (Index h = 0; h < 3 * triangulation.face_count(); ++h)
+    for (Index g = triangulation.next_on_edge(h); g != h; g = triangulation.next_on_edge(g)) edges += points(h) * points(g);
+  return edges;
 }
 
 }  // namespace geodrome::aleksandrov

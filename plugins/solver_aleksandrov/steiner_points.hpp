@@ -40,4 +40,7 @@ class SteinerPlacement {
   double step_ = 0;  ///< thin: the step over the tangent of half the angle; published: over its sine
 };
 
+/// About how many edges the graph has that comes of a placement, counted from both ends: what a search costs. O(F).
+double edge_count(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement);
+
 }  // namespace geodrome::aleksandrov

@@ -2,11 +2,15 @@
 #include "solver_aleksandrov/traced_path.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "solver_aleksandrov/direct_way.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
+
+/// What rounding may be between two names of one place; about 1 is the mean edge.
+constexpr double close = 1e-10;
 
 Barycentric corner_coordinates(Index h) {
   Barycentric b{};
@@ -21,24 +25,70 @@ Barycentric on_edge(Index h, double length, double x) {
   return b;
 }
 
-/// A point of a face with coordinates of next to nothing set to 0.
-Barycentric snapped(Barycentric b, double nothing) {
-  double sum = 0;
-  for (double& share : b) sum += share = share <= nothing ? 0 : share;
-  for (double& share : b) share /= sum;
-  return b;
+/// The point of half-edge `h` of the flat surface that is nearest to a point of its face, and how far that is.
+struct OnEdge {
+  double distance = std::numeric_limits<double>::infinity();
+  SurfacePoint point;
+};
+OnEdge nearest_on_edge(const FlatSurface& surface, Index h, const Barycentric& b) {
+  const auto [x, y] = surface.in_frame(h, b);
+  const double on = std::clamp(x, 0.0, surface.length(h));
+  return {std::hypot(x - on, y), surface.point_on(h, on)};
 }
 
-/// Whether a face of the flat surface holds a point that is named in another face.
+/// Whether a face of the flat surface holds a point that is named in another one.
 bool holds(const FlatSurface& surface, Index face, const SurfacePoint& point) {
   for (Index i = 0; i < 3; ++i)
     if (point.b[i] == 1) {
       const auto& vertex = surface.face(face).vertex;
-      return std::find(vertex, vertex + 3, surface.face(point.face).vertex[i]) != vertex + 3;
+      return std::find(vertex, vertex + 3, surface.from(3 * point.face + i)) != vertex + 3;
     }
   bool found = false;
   surface.for_each_name(point, [&](const SurfacePoint& name) { found = found || name.face == face; });
   return found;
+}
+
+/// Points that lead from one face of the flat surface into another, for a place that is in both up to rounding.
+struct Joint {
+  double distance = std::numeric_limits<double>::infinity();
+  std::vector<SurfacePoint> points;
+
+  void improve(double other, std::vector<SurfacePoint> through) {
+    if (other < distance) distance = other, points = std::move(through);
+  }
+};
+
+Joint through_common_edge(const FlatSurface& surface, const Piece& before, const Piece& after) {
+  Joint joint;
+  for (Index h = 3 * before.triangle; h < 3 * before.triangle + 3; ++h)
+    surface.for_each_across(h, [&](Index g, bool) {
+      if (g / 3 != after.triangle) return;
+      const OnEdge on = nearest_on_edge(surface, h, before.to);
+      joint.improve(on.distance, {on.point});
+    });
+  return joint;
+}
+
+/// Where three or more faces are within rounding of a place.
+Joint through_vertex_or_third_face(const FlatSurface& surface, const Piece& before, const Piece& after) {
+  Joint joint;
+  for (Index h = 3 * before.triangle; h < 3 * before.triangle + 3; ++h) {
+    const OnEdge here = nearest_on_edge(surface, h, before.to);
+    for (Index k = 3 * after.triangle; k < 3 * after.triangle + 3; ++k) {
+      if (surface.from(h) == surface.from(k)) {
+        const auto [x, y] = surface.in_frame(h, before.to);
+        joint.improve(std::hypot(x, y), {surface.point_on(h, 0)});
+      }
+      surface.for_each_across(h, [&](Index g, bool) {
+        surface.for_each_across(k, [&](Index other, bool) {
+          if (g / 3 != other / 3) return;
+          const OnEdge there = nearest_on_edge(surface, k, after.from);
+          joint.improve(here.distance + there.distance, {here.point, there.point});
+        });
+      });
+    }
+  }
+  return joint;
 }
 
 }  // namespace
@@ -105,7 +155,8 @@ void TracedPath::add(const Link& link, bool backwards) {
 }
 
 void TracedPath::to_node(const SurfacePoint& at, Index node) { add(find(at, node), false); }
-void TracedPath::between_nodes(Index from, Index to) { add(find(from, to), false); }
+// As the search went: rounding may hide an edge from its other end.
+void TracedPath::between_nodes(Index from, Index to) { add(find(to, from), true); }
 void TracedPath::from_node(Index node, const SurfacePoint& at) { add(find(at, node), true); }
 
 double TracedPath::length_to_node(const SurfacePoint& at, Index node) const { return find(at, node).distance; }
@@ -138,23 +189,24 @@ std::vector<Piece> TracedPath::pieces() const {
   return all;
 }
 
-/// The point between two pieces must lie in the faces of both. Where these differ it is on the edge or at the vertex
-/// between them, up to rounding.
+/// The point between two pieces must lie in the faces of both.
 void TracedPath::append_joint(const Piece& before, const Piece& after, std::vector<SurfacePoint>& out) const {
   const FlatSurface& surface = discretization_.surface();
-  SurfacePoint point{before.triangle, before.to};
-  if (before.triangle != after.triangle) {
-    for (const double nothing : {0.0, 1e-15, 1e-13, 1e-11, 1e-9}) {
-      point.b = snapped(before.to, nothing);
-      if (holds(surface, after.triangle, point)) break;
-      point.b = before.to;
-    }
+  if (before.triangle == after.triangle) return out.push_back(surface.original({before.triangle, before.to}));
+  Joint joint = through_common_edge(surface, before, after);
+  if (!(joint.distance <= close)) {
+    Joint other = through_vertex_or_third_face(surface, before, after);
+    joint.improve(other.distance, std::move(other.points));
   }
-  out.push_back(surface.original(point));
+  for (const SurfacePoint& point : joint.points) out.push_back(surface.original(point));
 }
 
-void TracedPath::append_inner_points(std::vector<SurfacePoint>& out) const {
-  const std::vector<Piece> all = pieces();
+void TracedPath::append_inner_points(const SurfacePoint& from, const SurfacePoint& to,
+                                     std::vector<SurfacePoint>& out) const {
+  std::vector<Piece> all = pieces();
+  // An end in a face without area may have come out in a face beside it.
+  if (!holds(discretization_.surface(), all.front().triangle, from)) all.insert(all.begin(), {from.face, from.b, from.b});
+  if (!holds(discretization_.surface(), all.back().triangle, to)) all.push_back({to.face, to.b, to.b});
   for (std::size_t i = 0; i + 1 < all.size(); ++i) append_joint(all[i], all[i + 1], out);
 }
 

@@ -12,6 +12,8 @@ class TracedPath {
  public:
   explicit TracedPath(const Discretization& discretization) : discretization_(discretization) {}
 
+  bool empty() const { return segments_.empty(); }
+
   /// Straight on from a place to a node it is joined to, from node to node, and from a node to a place.
   void to_node(const SurfacePoint& at, Index node);
   void between_nodes(Index from, Index to);
@@ -23,8 +25,8 @@ class TracedPath {
   double length_to_node(const SurfacePoint& at, Index node) const;
 
   /// Appends the points of the polyline but for its two ends, in the mesh's own numbers: where it bends and where it
-  /// crosses edges.
-  void append_inner_points(std::vector<SurfacePoint>& out) const;
+  /// crosses edges. `from` and `to` are the names of the ends in the flat surface.
+  void append_inner_points(const SurfacePoint& from, const SurfacePoint& to, std::vector<SurfacePoint>& out) const;
 
  private:
   /// A straight piece within a face of the graph's triangulation.
