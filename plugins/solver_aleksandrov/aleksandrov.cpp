@@ -35,8 +35,8 @@ aleksandrov::Triangulation triangulation_named(const std::string& name) {
 
 AleksandrovSolver::AleksandrovSolver(const OptionValues& options) {
   settings_.delta = options.number("delta");
-  settings_.placement = options.text("placement") == "thin" ? aleksandrov::Placement::thin
-                                                            : aleksandrov::Placement::published;
+  settings_.placement =
+      options.text("placement") == "thin" ? aleksandrov::Placement::thin : aleksandrov::Placement::published;
   settings_.triangulation = triangulation_named(options.text("triangulation"));
   settings_.thinning = options.number("unguaranteed_thinning");
 }

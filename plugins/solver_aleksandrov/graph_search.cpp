@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "solver_aleksandrov/strip_scan.hpp"
+
 namespace geodrome::aleksandrov {
 
 /// Strips are compared by squares: a root only for what is shorter. A tie counts as shorter, so that a lower source can
@@ -22,11 +24,11 @@ std::pair<const ImprovingEdges::Edge*, const ImprovingEdges::Edge*> ImprovingEdg
     }
     void strip(const SteinerGraph::Strip& s) const {
       view.compared_ += s.last - s.first;
-      for (Index to = s.first; to < s.last; ++to) {
-        const double x = s.x - t[to] * s.dx, y = s.y - t[to] * s.dy, square = x * x + y * y;
-        const double slack = best[to] - base;
-        if (slack < 0 || square > slack * slack) continue;
-        view.found_.push_back({node, to, base + std::sqrt(square)});
+      view.near_.clear();
+      scan_strip(t + s.first, best + s.first, s.last - s.first, base, s.x, s.y, s.dx, s.dy, s.first, view.near_);
+      for (const Index to : view.near_) {
+        const double px = s.x - t[to] * s.dx, py = s.y - t[to] * s.dy;
+        view.found_.push_back({node, to, base + std::sqrt(px * px + py * py)});
       }
     }
   };

@@ -16,7 +16,9 @@ namespace geodrome::aleksandrov {
 class NodeLabels {
  public:
   explicit NodeLabels(Index nodes)
-      : distance_(nodes, std::numeric_limits<double>::infinity()), source_(nodes, no_index), previous_(nodes, no_index) {}
+      : distance_(nodes, std::numeric_limits<double>::infinity()),
+        source_(nodes, no_index),
+        previous_(nodes, no_index) {}
 
   double distance(Index node) const { return distance_[node]; }  ///< infinity where there is none
   const double* distances() const { return distance_.data(); }
@@ -79,6 +81,7 @@ class ImprovingEdges {
   const SteinerGraph& graph_;
   const NodeLabels& labels_;
   mutable std::vector<Edge> found_;
+  mutable std::vector<Index> near_;
   mutable std::uint64_t compared_ = 0;
 };
 
@@ -95,7 +98,10 @@ inline Index target(const ImprovingEdges::Edge& edge, const ImprovingEdges&) { r
 class GraphSearch {
  public:
   explicit GraphSearch(const SteinerGraph& graph)
-      : labels_(graph.node_count()), edges_(graph, labels_), color_(graph.node_count(), boost::white_color), queue_(graph.node_count()) {}
+      : labels_(graph.node_count()),
+        edges_(graph, labels_),
+        color_(graph.node_count(), boost::white_color),
+        queue_(graph.node_count()) {}
   GraphSearch(const GraphSearch&) = delete;
   GraphSearch& operator=(const GraphSearch&) = delete;
 
@@ -137,7 +143,8 @@ class GraphSearch {
   std::vector<Index> seeds_;
 };
 
-/// Sets labels as edges are met. A node whose label is lowered at the same distance, by a lower source, keeps its place.
+/// Sets labels as edges are met. A node whose label is lowered at the same distance, by a lower source, keeps its
+/// place.
 template <class Poll>
 class GraphSearch::Relax : public boost::default_bfs_visitor {
  public:
@@ -171,9 +178,9 @@ void GraphSearch::run(const RunContext& context, double limit, LowerLimit&& lowe
     limit = std::min(limit, lower_limit());
   };
   Nearest nearest{queue_, labels_, limit};
-  boost::breadth_first_visit(edges_, seeds_.begin(), seeds_.end(), nearest,
-                             Relax<decltype(poll)>(labels_, queue_, poll),
-                             boost::make_iterator_property_map(color_.data(), boost::typed_identity_property_map<Index>()));
+  boost::breadth_first_visit(
+      edges_, seeds_.begin(), seeds_.end(), nearest, Relax<decltype(poll)>(labels_, queue_, poll),
+      boost::make_iterator_property_map(color_.data(), boost::typed_identity_property_map<Index>()));
 }
 
 }  // namespace geodrome::aleksandrov

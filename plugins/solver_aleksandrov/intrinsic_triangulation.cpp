@@ -75,7 +75,8 @@ Point2 IntrinsicTriangulation::in_next_frame(Index h, Point2 p) const {
 
 Index IntrinsicTriangulation::flat_twin(Index h) const {
   const Index g = next_on_edge_[h];
-  const bool flat = g != h && next_on_edge_[g] == h && g / 3 != h / 3 && !same_way(g, h) && weight(g / 3) == weight(h / 3);
+  const bool flat =
+      g != h && next_on_edge_[g] == h && g / 3 != h / 3 && !same_way(g, h) && weight(g / 3) == weight(h / 3);
   return flat ? g : no_index;
 }
 
@@ -129,8 +130,8 @@ void IntrinsicTriangulation::record(const Rearrangement& change, std::initialize
 
 void IntrinsicTriangulation::flip(Index h) {
   const Index g = flat_twin(h), f = h / 3, k = g / 3;
-  const Index right = SurfaceMesh::next(h), left = SurfaceMesh::previous(h);            // b -> c, c -> a
-  const Index low_left = SurfaceMesh::next(g), low_right = SurfaceMesh::previous(g);    // a -> d, d -> b
+  const Index right = SurfaceMesh::next(h), left = SurfaceMesh::previous(h);          // b -> c, c -> a
+  const Index low_left = SurfaceMesh::next(g), low_right = SurfaceMesh::previous(g);  // a -> d, d -> b
   const double ends[4] = {length(left), length(low_left), length(low_right), length(right)};
   const Index a = from(h), b = from(g), c = from(left), d = from(low_right);
   const Point2 top = apex(h), below = apex(g);

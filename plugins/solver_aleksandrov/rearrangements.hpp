@@ -16,7 +16,7 @@ namespace geodrome::aleksandrov {
 /// `before[0]` lies on its left.
 struct Rearrangement {
   struct Piece {
-    Index triangle = no_index;            ///< no_index: there is none
+    Index triangle = no_index;             ///< no_index: there is none
     std::array<std::uint8_t, 3> corner{};  ///< its corners among the four points, counterclockwise
   };
   std::array<Point2, 4> points;
@@ -50,8 +50,8 @@ class Rearrangements {
   /// A place of the beginning in the triangulation of now. O(changes of its surroundings).
   Place locate(Place place) const;
 
-  /// Appends the pieces, from `from` to `to`, of a straight way within a triangle of now, in triangles of the beginning.
-  /// O(triangles there ever were along it).
+  /// Appends the pieces, from `from` to `to`, of a straight way within a triangle of now, in triangles of the
+  /// beginning. O(triangles there ever were along it).
   void restore(const Piece& way, std::vector<Piece>& out) const;
 
   std::size_t bytes() const;

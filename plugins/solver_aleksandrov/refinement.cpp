@@ -125,8 +125,8 @@ class Refiner {
     settle(first);
   }
 
-  /// An edge that cannot be flipped. Not where it ends in a sharp corner: such edges would split each other for ever, and
-  /// between two edges of the boundary there would be angles that need Steiner points where now are none.
+  /// An edge that cannot be flipped. Not where it ends in a sharp corner: such edges would split each other for ever,
+  /// and between two edges of the boundary there would be angles that need Steiner points where now are none.
   void split_in_two(Index h) {
     Index g = h;
     do
@@ -162,7 +162,7 @@ class Refiner {
   IntrinsicTriangulation& t_;
   const RunContext& context_;
   double least_sine_;
-  Index first_, most_;  ///< inserted vertices: numbers and bound
+  Index first_, most_;         ///< inserted vertices: numbers and bound
   std::vector<double> scale_;  ///< the size of the smallest thing near a vertex before refinement
   std::priority_queue<Bad> bad_;
   std::vector<Index> stack_, changed_;

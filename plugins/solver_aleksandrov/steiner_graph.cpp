@@ -22,8 +22,9 @@ SteinerGraph::SteinerGraph(const IntrinsicTriangulation& triangulation, const St
   for (Index h = 0; h < corners_.size(); ++h) {
     const auto& face = triangulation.face(h / 3);
     const HalfAngle half = half_angle(face, static_cast<int>(h % 3));
-    corners_[h] = {triangulation.length(h), half.cosine, half.sine, triangulation.apex(h), triangulation.from(h),
-                   triangulation.next_on_edge(h), 0, 0, triangulation.forward(h)};
+    corners_[h] = {
+        triangulation.length(h),       half.cosine, half.sine, triangulation.apex(h),   triangulation.from(h),
+        triangulation.next_on_edge(h), 0,           0,         triangulation.forward(h)};
     ++first_corner_[corners_[h].vertex + 1];
   }
   for (std::size_t v = 1; v < first_corner_.size(); ++v) first_corner_[v] += first_corner_[v - 1];
@@ -37,7 +38,6 @@ void SteinerGraph::add_points(const IntrinsicTriangulation& triangulation, const
   std::vector<Bisector> bisectors(corners_.size());
   double nodes = triangulation.vertex_count();
   for (Index h = 0; h < corners_.size(); ++h) nodes += (bisectors[h] = placement.at(h)).count;
-  if (getenv("ALEDBG")) for (Index h = 0; h < corners_.size(); ++h) if (bisectors[h].count > 1e5) { auto&f=triangulation.face(h/3); fprintf(stderr,"corner %u count %g len %g %g %g ang sine %g %g %g cos %g %g %g twins %d %d %d v %u %u %u\n",h,bisectors[h].count,f.length[0],f.length[1],f.length[2],f.sine[0],f.sine[1],f.sine[2],f.cosine[0],f.cosine[1],f.cosine[2],(int)triangulation.flat_twin(3*(h/3)),(int)triangulation.flat_twin(3*(h/3)+1),(int)triangulation.flat_twin(3*(h/3)+2),f.vertex[0],f.vertex[1],f.vertex[2]); }
   if (!(nodes < most_nodes))
     throw CapabilityError("this surface takes " + shown(nodes) + " Steiner points, of which " + shown(most_nodes) +
                               " can be had: it has very thin triangles",

@@ -62,8 +62,8 @@ class SteinerGraph {
   Point2 in_frame(Index h, const Barycentric& b) const;
   Barycentric coordinates(Index h, Point2 p) const;
 
-  /// Calls, for all that is joined to a node: `visit.via(h, p, g)`, the place as p in the frame of half-edge h, and where
-  /// it looks through that edge the half-edge g beyond it, else no_index; then for what it sees there
+  /// Calls, for all that is joined to a node: `visit.via(h, p, g)`, the place as p in the frame of half-edge h, and
+  /// where it looks through that edge the half-edge g beyond it, else no_index; then for what it sees there
   /// `visit.vertex(corner, distance)`, the half-edge that starts at the vertex, and `visit.strip(strip)`.
   template <class Visit>
   void for_each_edge(Index node, Visit&& visit) const;
@@ -118,8 +118,8 @@ void SteinerGraph::bisector_through(const Corner& bisector, double length, Point
   if (strip.first < strip.last) visit.strip(strip);
 }
 
-/// All that is seen from `p`, in the frame of `h`, through its edge. Straight segments that would miss the edge are left
-/// out: the way through its end is as short.
+/// All that is seen from `p`, in the frame of `h`, through its edge. Straight segments that would miss the edge are
+/// left out: the way through its end is as short.
 template <class Visit>
 void SteinerGraph::through_edge(Index h, Point2 p, Visit&& visit) const {
   const Corner& here = corners_[h];
@@ -132,8 +132,7 @@ void SteinerGraph::through_edge(Index h, Point2 p, Visit&& visit) const {
     bisector_through(end, here.length, same ? flipped : p, visit);
     const Point2 apex = unfolded(h, g, start.apex);
     const double rise = p.y - apex.y, x = p.x * -apex.y + apex.x * p.y;
-    if (x >= 0 && x <= here.length * rise)
-      visit.vertex(SurfaceMesh::previous(g), std::hypot(p.x - apex.x, rise));
+    if (x >= 0 && x <= here.length * rise) visit.vertex(SurfaceMesh::previous(g), std::hypot(p.x - apex.x, rise));
   }
 }
 

@@ -26,7 +26,9 @@ HalfAngle half_angle(const IntrinsicTriangulation::Face& face, int i) {
 
 SteinerPlacement::SteinerPlacement(const IntrinsicTriangulation& triangulation, Placement placement, double delta,
                                    double thinning)
-    : t_(triangulation), placement_(placement), radius_(triangulation.vertex_count(), std::numeric_limits<double>::infinity()) {
+    : t_(triangulation),
+      placement_(placement),
+      radius_(triangulation.vertex_count(), std::numeric_limits<double>::infinity()) {
   if (placement == Placement::published) delta = std::min(delta, published_limit);
   const double share = (placement == Placement::thin ? thin_share : published_share) * delta;
   std::vector<double> lightest(radius_.size(), std::numeric_limits<double>::infinity()), heaviest(radius_.size(), 0);
@@ -65,7 +67,8 @@ double edge_count(const IntrinsicTriangulation& triangulation, const SteinerPlac
   double edges = 0;
   const auto points = [&](Index h) { return placement.at(h).count + placement.at(SurfaceMesh::next(h)).count + 2; };
   for (Index h = 0; h < 3 * triangulation.face_count(); ++h)
-    for (Index g = triangulation.next_on_edge(h); g != h; g = triangulation.next_on_edge(g)) edges += points(h) * points(g);
+    for (Index g = triangulation.next_on_edge(h); g != h; g = triangulation.next_on_edge(g))
+      edges += points(h) * points(g);
   return edges;
 }
 

@@ -37,7 +37,7 @@ class SteinerPlacement {
   const IntrinsicTriangulation& t_;
   Placement placement_;
   std::vector<double> radius_;  ///< of the vicinity of each vertex, in which paths lead through the vertex
-  double step_ = 0;  ///< thin: the step over the tangent of half the angle; published: over its sine
+  double step_ = 0;             ///< thin: the step over the tangent of half the angle; published: over its sine
 };
 
 /// About how many edges the graph has that comes of a placement, counted from both ends: what a search costs. O(F).

@@ -205,7 +205,8 @@ void TracedPath::append_inner_points(const SurfacePoint& from, const SurfacePoin
                                      std::vector<SurfacePoint>& out) const {
   std::vector<Piece> all = pieces();
   // An end in a face without area may have come out in a face beside it.
-  if (!holds(discretization_.surface(), all.front().triangle, from)) all.insert(all.begin(), {from.face, from.b, from.b});
+  if (!holds(discretization_.surface(), all.front().triangle, from))
+    all.insert(all.begin(), {from.face, from.b, from.b});
   if (!holds(discretization_.surface(), all.back().triangle, to)) all.push_back({to.face, to.b, to.b});
   for (std::size_t i = 0; i + 1 < all.size(); ++i) append_joint(all[i], all[i + 1], out);
 }
