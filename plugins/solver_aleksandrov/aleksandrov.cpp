@@ -48,8 +48,6 @@ double AleksandrovSolver::factor(const OptionValues* options) noexcept {
 
 std::unique_ptr<PreparedSurface> AleksandrovSolver::prepare(MeshPtr mesh, RunContext& context) const {
   context.throw_if_cancelled();
-  if (!mesh->face_weights().empty())
-    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
   return std::make_unique<AleksandrovPrepared>(std::move(mesh), settings_, context);
 }
 

@@ -17,8 +17,9 @@ std::pair<const ImprovingEdges::Edge*, const ImprovingEdges::Edge*> ImprovingEdg
     const double *t, *best;
 
     void via(Index, Point2, Index) const {}
-    void vertex(Index corner, double length) const {
-      const Index to = view.graph_.corner(corner).vertex;
+    void vertex(Index corner, double length) const { point(view.graph_.corner(corner).vertex, length); }
+    bool wants(Index to, double least) const { return base + least <= best[to]; }
+    void point(Index to, double length) const {
       ++view.compared_;
       if (base + length <= best[to]) view.found_.push_back({node, to, base + length});
     }

@@ -18,6 +18,11 @@ void Propagation::seed(const Source& source, Index number) {
   const FlatSurface& surface = discretization_->surface();
   const Index vertex = surface.mesh().vertex_at(source.at);
   if (vertex != no_index) return search_.seed(surface.vertex_of_original(vertex), source.start, number);
+  if (graph().weighted())
+    throw CapabilityError(
+        "on a weighted surface sources must be vertices: between two other points near a vertex the "
+        "factor would not hold",
+        "name vertices as sources, or leave the weights out");
 
   struct Seeds {
     GraphSearch& search;
@@ -25,10 +30,11 @@ void Propagation::seed(const Source& source, Index number) {
     double start;
     Index number;
     void via(Index, Point2, Index) const {}
-    void vertex(Index corner, double length) const { search.seed(graph.corner(corner).vertex, start + length, number); }
+    void vertex(Index corner, double length) const { point(graph.corner(corner).vertex, length); }
+    bool wants(Index, double) const { return true; }
+    void point(Index node, double length) const { search.seed(node, start + length, number); }
     void strip(const SteinerGraph::Strip& s) const {
-      for (Index node = s.first; node < s.last; ++node)
-        search.seed(node, start + SteinerGraph::length(s, graph.distances()[node]), number);
+      for (Index node = s.first; node < s.last; ++node) point(node, SteinerGraph::length(s, graph.distances()[node]));
     }
   };
   graph().for_each_name(discretization_->located(surface.inner(source.at)), [&](const SurfacePoint& name) {
@@ -75,12 +81,13 @@ Propagation::Way Propagation::way_to(const SurfacePoint& inner, double best) con
     const SurfacePoint* name;
 
     void via(Index, Point2, Index) const {}
-    void vertex(Index corner, double length) const { improve(graph.corner(corner).vertex, length); }
+    void vertex(Index corner, double length) const { point(graph.corner(corner).vertex, length); }
     void strip(const SteinerGraph::Strip& s) const {
       for (Index node = s.first; node < s.last; ++node)
-        if (labels.distance(node) < way.distance) improve(node, SteinerGraph::length(s, graph.distances()[node]));
+        if (labels.distance(node) < way.distance) point(node, SteinerGraph::length(s, graph.distances()[node]));
     }
-    void improve(Index node, double length) const {
+    bool wants(Index node, double least) const { return labels.distance(node) + least < way.distance; }
+    void point(Index node, double length) const {
       const double distance = labels.distance(node) + length;
       if (distance < way.distance) way = {distance, labels.source(node), node, no_index, *name};
     }

@@ -32,6 +32,27 @@ SteinerGraph::SteinerGraph(const IntrinsicTriangulation& triangulation, const St
   std::vector<Index> end = first_corner_;
   for (Index h = 0; h < corners_.size(); ++h) corners_at_[end[corners_[h].vertex]++] = h;
   add_points(triangulation, placement);
+  if (triangulation.weighted()) weigh(triangulation);
+}
+
+/// An edge is as cheap as the cheapest of its faces.
+void SteinerGraph::weigh(const IntrinsicTriangulation& triangulation) {
+  for (Index f = 0; f < face_count(); ++f) weights_.push_back(triangulation.weight(f));
+  for (Index h = 0; h < corners_.size(); ++h) {
+    double lightest = weights_[h / 3];
+    for (Index g = corners_[h].next_on_edge; g != h; g = corners_[g].next_on_edge)
+      lightest = std::min(lightest, weights_[g / 3]);
+    edge_weights_.push_back(lightest);
+  }
+}
+
+Crossing SteinerGraph::crossing(Index h, Point2 p, Index g, Point2 q) const {
+  const Point2 below = unfolded(h, g, q);
+  const double weight = edge_weight(h);
+  if (weighted() && (weight != weights_[h / 3] || weight != weights_[g / 3]))
+    return cheapest_crossing(p, weights_[h / 3], below, weights_[g / 3], weight);
+  const double drop = p.y - below.y, x = drop > 0 ? p.x + (below.x - p.x) * (p.y / drop) : p.x;
+  return {weight * aleksandrov::length(p - below), x, x};
 }
 
 void SteinerGraph::add_points(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement) {
@@ -81,7 +102,8 @@ Barycentric SteinerGraph::coordinates(Index h, Point2 p) const {
 
 std::size_t SteinerGraph::bytes() const {
   return corners_.size() * sizeof(Corner) + distance_.size() * sizeof(double) +
-         (corner_of_.size() + first_corner_.size() + corners_at_.size()) * sizeof(Index);
+         (corner_of_.size() + first_corner_.size() + corners_at_.size()) * sizeof(Index) +
+         (weights_.size() + edge_weights_.size()) * sizeof(double);
 }
 
 }  // namespace geodrome::aleksandrov

@@ -7,10 +7,14 @@
 #include <utility>
 #include <vector>
 
+#include "solver_aleksandrov/cheapest_crossing.hpp"
 #include "solver_aleksandrov/intrinsic_triangulation.hpp"
 #include "solver_aleksandrov/steiner_points.hpp"
 
 namespace geodrome::aleksandrov {
+
+template <class Visit>
+class WeightedEdges;
 
 /// The graph of Aleksandrov, Maheshwari and Sack: nodes are the vertices of a triangulation and Steiner points on the
 /// bisectors of its angles; edges are straight segments through at most two faces. Edges are not stored: they are
@@ -64,7 +68,9 @@ class SteinerGraph {
 
   /// Calls, for all that is joined to a node: `visit.via(h, p, g)`, the place as p in the frame of half-edge h, and
   /// where it looks through that edge the half-edge g beyond it, else no_index; then for what it sees there
-  /// `visit.vertex(corner, distance)`, the half-edge that starts at the vertex, and `visit.strip(strip)`.
+  /// `visit.vertex(corner, distance)`, the half-edge that starts at the vertex, and `visit.strip(strip)`; on a weighted
+  /// surface `visit.point(node, distance)` for each Steiner point instead, if `visit.wants(node, distance)` with a
+  /// lower bound, and h itself as g where it looks back.
   template <class Visit>
   void for_each_edge(Index node, Visit&& visit) const;
   /// The same for a place in a face that is no vertex.
@@ -84,9 +90,22 @@ class SteinerGraph {
   /// The length of the edge to the point of a strip at distance t from its vertex.
   static double length(const Strip& s, double t) { return std::hypot(s.x - t * s.dx, s.y - t * s.dy); }
 
+  bool weighted() const { return !weights_.empty(); }
+  /// What a unit of length costs in a face.
+  double weight(Index face) const { return weights_.empty() ? 1 : weights_[face]; }
+  double edge_weight(Index h) const { return edge_weights_.empty() ? 1 : edge_weights_[h]; }
+  /// The cheapest way from `p` in the frame of `h` by its edge to `q` in the frame of `g`.
+  Crossing crossing(Index h, Point2 p, Index g, Point2 q) const;
+  /// Whether a way touches the edge of `h` between its ends.
+  bool on_edge(Index h, const Crossing& way) const {
+    const double slack = 1e-14 * corners_[h].length, low = -slack, high = corners_[h].length + slack;
+    return std::min(way.leave, way.enter) >= low && std::max(way.leave, way.enter) <= high;
+  }
+
   std::size_t bytes() const;
 
  private:
+  void weigh(const IntrinsicTriangulation& triangulation);
   void add_points(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement);
   Strip own_strip(Index h, Point2 p) const {
     const Corner& c = corners_[h];
@@ -101,7 +120,14 @@ class SteinerGraph {
   std::vector<double> distance_;
   std::vector<Index> corner_of_;
   std::vector<Index> first_corner_, corners_at_;
+  std::vector<double> weights_, edge_weights_;  ///< per face and per half-edge; empty: all 1
 };
+
+}  // namespace geodrome::aleksandrov
+
+#include "solver_aleksandrov/weighted_edges.hpp"
+
+namespace geodrome::aleksandrov {
 
 /// A bisector beyond the edge that starts at the start of that edge; `p` is above, x from there.
 template <class Visit>
@@ -138,6 +164,10 @@ void SteinerGraph::through_edge(Index h, Point2 p, Visit&& visit) const {
 
 template <class Visit>
 void SteinerGraph::for_each_edge(Index node, Visit&& visit) const {
+  if (weighted()) {
+    const WeightedEdges edges(*this, visit);
+    return node < vertex_count() ? edges.from_vertex(node) : edges.from_steiner_point(node);
+  }
   if (node < vertex_count()) {
     for (const Index h : corners_at(node)) {
       const Index opposite = SurfaceMesh::next(h), before = SurfaceMesh::previous(h);
@@ -167,6 +197,7 @@ void SteinerGraph::for_each_edge(Index node, Visit&& visit) const {
 
 template <class Visit>
 void SteinerGraph::for_each_edge(const SurfacePoint& at, Visit&& visit) const {
+  if (weighted()) return WeightedEdges(*this, visit).from_place(at);
   for (Index i = 0; i < 3; ++i) {
     const Index h = 3 * at.face + i;
     const Point2 p = in_frame(h, at.b);

@@ -112,8 +112,11 @@ struct TracedPath::Finder {
     if (graph.corner(corner).vertex == node && distance < best.distance) take(distance, corner_coordinates(corner));
   }
   void strip(const SteinerGraph::Strip& s) {
-    if (node < s.first || node >= s.last) return;
-    const double distance = SteinerGraph::length(s, graph.distances()[node]);
+    if (node >= s.first && node < s.last) point(node, SteinerGraph::length(s, graph.distances()[node]));
+  }
+  bool wants(Index seen, double) const { return seen == node; }
+  void point(Index found, double distance) {
+    if (found != node) return;
     const Index h = graph.corner_of(node);
     if (distance < best.distance) take(distance, graph.coordinates(h, graph.in_frame(h, node)));
   }
@@ -141,11 +144,11 @@ void TracedPath::add(const Link& link, bool backwards) {
   if (link.g == no_index) {
     added.push_back({link.h / 3, start, link.end});
   } else {
-    const Point2 q = graph().unfolded(link.h, link.g, graph().in_frame(link.g, link.end));
-    const double drop = link.p.y - q.y, x = drop > 0 ? link.p.x + (q.x - link.p.x) * (link.p.y / drop) : link.p.x;
+    const Crossing way = graph().crossing(link.h, link.p, link.g, graph().in_frame(link.g, link.end));
     const bool same = graph().corner(link.g).forward == here.forward;
-    added.push_back({link.h / 3, start, on_edge(link.h, here.length, x)});
-    added.push_back({link.g / 3, on_edge(link.g, here.length, same ? x : here.length - x), link.end});
+    added.push_back({link.h / 3, start, on_edge(link.h, here.length, way.leave)});
+    if (way.leave != way.enter) added.push_back({link.h / 3, added.back().to, on_edge(link.h, here.length, way.enter)});
+    added.push_back({link.g / 3, on_edge(link.g, here.length, same ? way.enter : here.length - way.enter), link.end});
   }
   if (backwards) {
     std::reverse(added.begin(), added.end());

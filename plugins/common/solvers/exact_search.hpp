@@ -255,14 +255,14 @@ auto ExactSearch<Propagation>::plain_way(const SurfacePoint& inner) const -> Pla
   for (; it != sources_in_faces_.end() && it->first.face == inner.face; ++it) {
     const auto [sx, sy] = surface_->in_frame(frame, it->first.b);
     const double start = std::ldexp(sources_[it->second].start, surface_->exponent());
-    const double distance = start + std::hypot(x - sx, y - sy);
+    const double distance = start + surface_->weight(inner.face) * std::hypot(x - sx, y - sy);
     if (distance < way.distance) way = {distance, it->second};
   }
   for (Index i = 0; i < 3; ++i) {
     const Label& label = propagation_.labels()[surface_->from(frame + i)];
     if (label.source == no_index) continue;
     const auto [cx, cy] = surface_->in_frame(frame + i, inner.b);
-    const double distance = label.distance + std::hypot(cx, cy);
+    const double distance = label.distance + surface_->weight(inner.face) * std::hypot(cx, cy);
     if (distance < way.distance) way = {distance, label.source, surface_->from(frame + i)};
   }
   return way;

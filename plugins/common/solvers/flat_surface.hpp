@@ -40,6 +40,12 @@ class FlatSurface {
   Index from(Index h) const { return faces_[h / 3].vertex[h % 3]; }
   double length(Index h) const { return faces_[h / 3].length[h % 3]; }
 
+  /// What a unit of length costs in a face: 1 unless the mesh has weights.
+  double weight(Index f) const {
+    const auto weights = mesh_->face_weights();
+    return weights.empty() ? 1 : weights[original_face_[f]];
+  }
+
   double longest_side(Index f) const {
     return std::max({faces_[f].length[0], faces_[f].length[1], faces_[f].length[2]});
   }
