@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "common/solvers/exact_search.hpp"
+#include "solver_aleksandrov/pair_oracle.hpp"
 #include "solver_aleksandrov/propagation.hpp"
 
 namespace geodrome {
@@ -13,15 +14,20 @@ namespace {
 class AleksandrovPrepared final : public PreparedSurface {
  public:
   AleksandrovPrepared(MeshPtr mesh, const aleksandrov::Settings& settings, RunContext& context)
-      : surface_(std::make_shared<const FlatSurface>(std::move(mesh))),
+      : delta_(settings.delta),
+        surface_(std::make_shared<const FlatSurface>(std::move(mesh))),
         discretization_(std::make_shared<const aleksandrov::Discretization>(*surface_, settings, context)) {}
 
   std::unique_ptr<Search> make_search() const override {
     return std::make_unique<ExactSearch<aleksandrov::Propagation>>(surface_, discretization_);
   }
+  std::unique_ptr<PairOracle> pair_oracle(std::istream* saved, RunContext& context) const override {
+    return aleksandrov::make_pair_oracle(surface_->mesh_pointer(), delta_, saved, context);
+  }
   std::size_t bytes() const override { return surface_->bytes() + discretization_->bytes(); }
 
  private:
+  double delta_;
   std::shared_ptr<const FlatSurface> surface_;
   std::shared_ptr<const aleksandrov::Discretization> discretization_;
 };

@@ -4,13 +4,7 @@
 #include <cstdint>
 #include <cstring>
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-// Chosen when the plugin is loaded. No fused multiply-adds, so that results are the same.
-#define GEODROME_LEVELS __attribute__((target_clones("avx2", "default")))
-#else
-#define GEODROME_LEVELS
-#endif
+#include "solver_aleksandrov/processor_levels.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
@@ -21,8 +15,8 @@ using FourBits = std::int64_t __attribute__((vector_size(32)));
 }  // namespace
 
 /// Comparisons by squares, four at once; few ways are not longer, so a branch for eight is foreseen as a rule.
-GEODROME_LEVELS void scan_strip(const double* t, const double* best, std::size_t count, double base, double x, double y,
-                                double dx, double dy, Index first, std::vector<Index>& out) {
+GEODROME_PROCESSOR_LEVELS void scan_strip(const double* t, const double* best, std::size_t count, double base, double x,
+                                          double y, double dx, double dy, Index first, std::vector<Index>& out) {
   std::size_t i = 0;
   for (; i + 8 <= count; i += 8) {
     FourBits within[2];

@@ -5,7 +5,7 @@ set -euo pipefail
 
 packages=(
   build-essential cmake ninja-build pkg-config ccache
-  libboost-dev libcgal-dev libeigen3-dev libflann-dev liblz4-dev libopenmesh-dev libxxhash-dev
+  libboost-dev libcgal-dev libeigen3-dev libflann-dev liblz4-dev libmetis-dev libopenmesh-dev libxxhash-dev
   libcli11-dev nlohmann-json3-dev libgtest-dev librapidcheck-dev
 )
 

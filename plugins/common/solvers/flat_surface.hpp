@@ -32,6 +32,7 @@ class FlatSurface {
   explicit FlatSurface(MeshPtr mesh);
 
   const SurfaceMesh& mesh() const { return *mesh_; }
+  const MeshPtr& mesh_pointer() const { return mesh_; }
   std::size_t vertex_count() const { return original_vertex_.size(); }
   std::size_t face_count() const { return faces_.size(); }
   const Face& face(Index f) const { return faces_[f]; }

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "solver_aleksandrov/pair_oracle.hpp"
+
+#include <algorithm>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "common/solvers/query_points.hpp"
+#include "solver_aleksandrov/pair_index.hpp"
+#include "solver_chen_han/chen_han.hpp"
+
+namespace geodrome::aleksandrov {
+namespace {
+
+/// Portals along cut edges are this many times delta of the mean edge apart, so that pairs ten edges apart need no
+/// search; for a small delta pairs must be farther apart, or there would be too many portals.
+constexpr double spacing_over_delta = 10, least_spacing = 0.25;
+
+double mean_edge(const SurfaceMesh& mesh) {
+  double sum = 0;
+  for (Index h = 0; h < 3 * mesh.face_count(); ++h)
+    sum += distance(mesh.positions()[mesh.from(h)], mesh.positions()[mesh.to(h)]);
+  return sum / static_cast<double>(3 * mesh.face_count());
+}
+
+double spacing_for(const SurfaceMesh& mesh, double delta) {
+  return mean_edge(mesh) * std::max(least_spacing, spacing_over_delta * delta);
+}
+
+ChenHanSolver exact_solver() { return ChenHanSolver(OptionValues(ChenHanSolver::options)); }
+
+class IndexedPairs final : public PairOracle {
+ public:
+  IndexedPairs(MeshPtr mesh, double delta, PairIndex index, RunContext& context)
+      : mesh_(std::move(mesh)),
+        delta_(delta),
+        index_(std::move(index)),
+        prepared_(exact_solver().prepare(mesh_, context)) {}
+
+  double distance(const SurfacePoint& from, const SurfacePoint& to) const override {
+    require_on_surface(*mesh_, from, "a point");
+    require_on_surface(*mesh_, to, "a point");
+    const auto [a, to_a] = nearest_corner(from);
+    const auto [b, to_b] = nearest_corner(to);
+    const Bounds corners = index_.between(a, b);
+    const double way = corners.most + to_a + to_b, least = corners.least - to_a - to_b;
+    if (a == b && to_a == 0 && to_b == 0) return 0;
+    if (way <= (1 + delta_) * least) return way;
+    return std::min(way, searched(from, to, way));
+  }
+
+  void save(std::ostream& out) const override { index_.save(out); }
+
+ private:
+  struct Corner {
+    Index vertex;
+    double distance;
+  };
+
+  Corner nearest_corner(const SurfacePoint& point) const {
+    Corner nearest{no_index, std::numeric_limits<double>::infinity()};
+    const Vec3 at = mesh_->position(point);
+    for (int i = 0; i < 3; ++i) {
+      const Index v = mesh_->triangles()[point.face][i];
+      const double distance = point.b[i] == 1 ? 0 : geodrome::distance(at, mesh_->positions()[v]);
+      if (distance < nearest.distance) nearest = {v, distance};
+    }
+    return nearest;
+  }
+
+  /// The exact distance, by a search that goes no farther than `most`.
+  double searched(const SurfacePoint& from, const SurfacePoint& to, double most) const {
+    const Source source{from};
+    QuietContext quiet;
+    std::unique_ptr<Search> search = take_search();
+    const double value =
+        search->run({&source, 1}, {.radius = most * (1 + 1e-9), .targets = {&to, 1}, .stop_at_targets = true}, quiet)
+            .at(to)
+            .value;
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(search));
+    return value;
+  }
+
+  std::unique_ptr<Search> take_search() const {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!idle_.empty()) {
+        auto search = std::move(idle_.back());
+        idle_.pop_back();
+        return search;
+      }
+    }
+    return prepared_->make_search();
+  }
+
+  MeshPtr mesh_;
+  double delta_;
+  PairIndex index_;
+  std::unique_ptr<PreparedSurface> prepared_;
+  mutable std::mutex mutex_;
+  mutable std::vector<std::unique_ptr<Search>> idle_;
+};
+
+}  // namespace
+
+std::unique_ptr<PairOracle> make_pair_oracle(MeshPtr mesh, double delta, std::istream* saved, RunContext& context) {
+  if (!mesh->face_weights().empty())
+    throw CapabilityError("pair queries on weighted surfaces are not supported",
+                          "leave the weights out, or ask for distances from sources");
+  PairIndex index =
+      saved ? PairIndex(*mesh, *saved) : PairIndex(mesh, spacing_for(*mesh, delta), exact_solver(), context);
+  return std::make_unique<IndexedPairs>(std::move(mesh), delta, std::move(index), context);
+}
+
+}  // namespace geodrome::aleksandrov
