@@ -36,10 +36,11 @@ DistanceErrors distance_errors(std::span<const std::vector<double>> truth,
     for (std::size_t j = 0; j < truth[i].size(); ++j) {
       const double is = truth[i][j];
       if (is == 0) continue;
+      add(errors.all, (computed[i][j] - is) / is);
       if (is >= far_share * largest) add(errors.far, (computed[i][j] - is) / is);
       if (is < near_share * largest) add(errors.near, (computed[i][j] - is) / is);
     }
-  finish(errors.far), finish(errors.near);
+  finish(errors.all), finish(errors.far), finish(errors.near);
   return errors;
 }
 

@@ -15,6 +15,7 @@ struct DistanceErrors {
     double largest_over = 0, largest_under = 0;
   };
   Group far;   ///< at least a quarter of the largest true distance apart
+  Group all;   ///< above 0 apart
   Group near;  ///< less than a twentieth of it, and above 0
 };
 

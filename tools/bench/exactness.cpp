@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tools/bench/surface_points.hpp"
 #include "tools/bench/witness.hpp"
 #include "tools/shapes/random.hpp"
 
@@ -23,33 +24,6 @@ void raise(double& worst, double figure) { worst = std::max(worst, std::isnan(fi
 
 /// |a - b|, 0 if both are the same infinity.
 double apart(double a, double b) { return a == b ? 0 : std::abs(a - b); }
-
-double largest_finite(std::span<const double> values) {
-  double largest = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) largest = std::max(largest, value);
-  return largest > 0 ? largest : 1;
-}
-
-SurfacePoint random_inner_point(const SurfaceMesh& mesh, shapes::Random& random) {
-  const auto face = static_cast<Index>(random.index(mesh.face_count()));
-  // The square root makes the density even over the triangle (Turk 1990).
-  const double root = std::sqrt(random.uniform()), along = random.uniform();
-  return {face, {1 - root, root * (1 - along), root * along}};
-}
-
-SurfacePoint random_edge_point(const SurfaceMesh& mesh, shapes::Random& random) {
-  SurfacePoint point{static_cast<Index>(random.index(mesh.face_count())), {}};
-  const std::size_t corner = random.index(3);
-  point.b[corner] = random.uniform();
-  point.b[(corner + 1) % 3] = 1 - point.b[corner];
-  return point;
-}
-
-SurfacePoint random_vertex(const SurfaceMesh& mesh, shapes::Random& random) {
-  const Triangle& face = mesh.triangles()[random.index(mesh.face_count())];
-  return mesh.at_vertex(face[random.index(3)]);
-}
 
 /// Where distances are compared: the same points, as the solver's mesh and as the peer's mesh name them.
 struct Places {
@@ -213,6 +187,13 @@ class Judge {
 };
 
 }  // namespace
+
+double largest_finite(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  return largest > 0 ? largest : 1;
+}
 
 bool Exactness::exact() const {
   const auto within = [](double figure, double limit) { return figure <= limit; };

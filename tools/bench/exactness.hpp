@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "geodrome/engine/plugin_host.hpp"
@@ -14,6 +15,9 @@ namespace geodrome::bench {
 /// What "exact" means here, relative to the largest distance from the source: for distances and lengths of paths, and
 /// for the audit, whose Lipschitz bound adds up the rounding of two distances and of coordinates.
 inline constexpr double value_limit = 1e-12, audit_limit = 1e-11;
+
+/// What distances are compared by: the largest that is finite; 1 if none is above 0.
+double largest_finite(std::span<const double> values);
 
 struct ExactnessOptions {
   std::size_t sources = 3;   ///< in turn at a vertex, inside a face, on an edge

@@ -40,13 +40,6 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-std::vector<Index> choose_sources(std::size_t points, std::size_t count, std::uint64_t seed) {
-  shapes::Random random(seed);
-  std::set<Index> chosen;
-  while (chosen.size() < std::min(count, points)) chosen.insert(static_cast<Index>(random.index(points)));
-  return {chosen.begin(), chosen.end()};
-}
-
 /// The entries are the end of the file, row by row.
 std::vector<std::vector<double>> read_matrix(const fs::path& file, std::size_t rows, std::size_t columns) {
   std::ifstream in(file, std::ios::binary);
@@ -60,10 +53,17 @@ std::vector<std::vector<double>> read_matrix(const fs::path& file, std::size_t r
 
 }  // namespace
 
+std::vector<Index> choose_rows(std::size_t points, std::size_t count, std::uint64_t seed) {
+  shapes::Random random(seed);
+  std::set<Index> chosen;
+  while (chosen.size() < std::min(count, points)) chosen.insert(static_cast<Index>(random.index(points)));
+  return {chosen.begin(), chosen.end()};
+}
+
 TorusTask make_torus_task(std::size_t points, std::size_t sources, std::uint64_t seed) {
   TorusTask task;
   task.sample = shapes::sample("torus", {.points = points, .seed = seed});
-  task.sources = choose_sources(points, sources, seed);
+  task.sources = choose_rows(points, sources, seed);
   task.epsilon = torus_epsilon(task.sample, seed);
   std::vector<TorusPoint> targets;
   for (const Vec3& p : task.sample.points) targets.push_back(torus_point(p));
@@ -75,17 +75,21 @@ TorusTask make_torus_task(std::size_t points, std::size_t sources, std::uint64_t
   return task;
 }
 
-double torus_epsilon(const PointSample& sample, std::uint64_t seed) {
+double largest_hole(const std::string& shape, const PointSample& sample, std::uint64_t seed) {
   constexpr std::size_t probes = 100'000;
   constexpr std::uint64_t other_numbers = 0x65707369;  // the probes must not be the sample
   const Neighbours tree(sample.points);
   double worst = 0;
   std::vector<Neighbour> found;
-  for (const Vec3& p : shapes::sample("torus", {.points = probes, .seed = seed ^ other_numbers}).points) {
+  for (const Vec3& p : shapes::sample(shape, {.points = probes, .seed = seed ^ other_numbers}).points) {
     tree.nearest(p, 1, found);
     worst = std::max(worst, found.front().squared_distance);
   }
-  return std::sqrt(worst) / torus_feature_size;
+  return std::sqrt(worst);
+}
+
+double torus_epsilon(const PointSample& sample, std::uint64_t seed) {
+  return largest_hole("torus", sample, seed) / torus_feature_size;
 }
 
 std::vector<Variant> variants_of(const StageChoice& stages) {

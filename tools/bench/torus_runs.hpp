@@ -18,11 +18,18 @@ struct TorusTask {
   double asymmetry = 0;                    ///< largest |d(a, b) - d(b, a)| among the sources: an error of the truth
 };
 
+/// Rows of a sample, seeded, ascending, all different; all rows if there are fewer.
+std::vector<Index> choose_rows(std::size_t points, std::size_t count, std::uint64_t seed);
+
 /// `points` of the torus, uniform by area. O(sources) shootings.
 TorusTask make_torus_task(std::size_t points, std::size_t sources, std::uint64_t seed);
 
-/// The largest distance of 100,000 random points of the torus from the sample, over the local feature size, which is
-/// 0.4 everywhere (see torus_truth.hpp): a lower bound, close to it, of the least epsilon of Definition 1.
+/// The largest distance of 100,000 random points of a shape from a sample of it: a lower bound, close to it, of the
+/// largest of all points. Over the local feature size, where that is the same everywhere, it is the least epsilon of
+/// Definition 1.
+double largest_hole(const std::string& shape, const PointSample& sample, std::uint64_t seed);
+
+/// The same over the torus's local feature size, which is 0.4 everywhere (see torus_truth.hpp).
 double torus_epsilon(const PointSample& sample, std::uint64_t seed);
 
 /// A way through the engine: its name, and how it differs from the default.

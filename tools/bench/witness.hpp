@@ -41,6 +41,7 @@ class Witness {
   /// Of the last run: distances at points, at all vertices, +inf where not reached.
   std::vector<double> at(std::span<const SurfacePoint> points) const;
   std::span<const double> vertices() const { return map_->vertices(); }
+  std::span<const Counter> counters() const { return map_->counters(); }
 
   /// The length of the path from a point to its source, plus the source's start distance; what the ends of the path
   /// miss the two by is added. +inf if there is no path or if it leaves the surface. Needs Keep::map.
