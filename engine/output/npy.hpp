@@ -16,4 +16,7 @@ constexpr std::uint64_t bytes_of(ScalarType scalar) { return scalar == ScalarTyp
 /// format".
 std::string npy_header(std::uint64_t rows, std::uint64_t columns, ScalarType scalar);
 
+/// The same for a vector of `count` entries.
+std::string npy_header(std::uint64_t count, ScalarType scalar);
+
 }  // namespace geodrome

@@ -14,10 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A distance is a sum over the faces that a path crosses, seldom more than 1e4, each adding a few units in the last
-/// place (2.2e-16 of the scale): below 1e-11, with a decade to spare.
-constexpr double float64_tolerance = 1e-10;
-
 /// An entry stored as float32 is off by at most 2^-24 of itself; the triangle inequality joins three of them.
 constexpr double float32_tolerance = 0x1p-22;
 

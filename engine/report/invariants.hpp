@@ -11,6 +11,10 @@
 
 namespace geodrome {
 
+/// A distance is a sum over the faces that a path crosses, seldom more than 1e4, each adding a few units in the last
+/// place (2.2e-16 of the scale): below 1e-11, with a decade to spare.
+inline constexpr double float64_tolerance = 1e-10;
+
 /// A finished distance matrix and what its rows (sources) and columns (targets) stand for.
 struct MatrixView {
   /// Row of the input that a matrix row or column belongs to. A source and a target are the same point if these are

@@ -17,16 +17,18 @@ struct ReachCounts {
   std::uint64_t missed = 0, impossible = 0;
 };
 
-/// The component of the surface that each query lies in, as `vertex_components` names it; a dropped one is in none.
+/// The component of the surface that a place lies in, by those of the vertices; a dropped one is in none.
+inline Index component_of(const SurfaceMesh& mesh, std::span<const Index> of_vertex, const Place& place) {
+  if (place.state == Place::State::dropped) return no_index;
+  const bool isolated = place.state == Place::State::isolated;
+  return of_vertex[isolated ? place.vertex : mesh.triangles()[place.at.face][0]];
+}
+
+/// The component of each query, as `vertex_components` names it.
 inline std::vector<Index> components_of(const SurfaceMesh& mesh, std::span<const Query> queries) {
   const std::vector<Index> of_vertex = vertex_components(mesh);
   std::vector<Index> components;
-  for (const auto& [place, start, row, label] : queries) {
-    const bool isolated = place.state == Place::State::isolated;
-    components.push_back(place.state == Place::State::dropped
-                             ? no_index
-                             : of_vertex[isolated ? place.vertex : mesh.triangles()[place.at.face][0]]);
-  }
+  for (const Query& query : queries) components.push_back(component_of(mesh, of_vertex, query.place));
   return components;
 }
 

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "engine/run/run_report.hpp"
 
-#include <sys/resource.h>
-
 #include <cmath>
 #include <sstream>
 
-#include "engine/report/sample_report.hpp"
 #include "engine/run/query_rule.hpp"
-#include "geodrome/engine/version.hpp"
+#include "engine/run/report_parts.hpp"
 
 namespace geodrome {
 
 namespace {
 
 using geodrome::to_json;  // the overloads below would hide them
-
-std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
 
 Json to_json(const InvariantCheck& check) {
   Json json{
@@ -101,51 +92,20 @@ std::vector<std::string> broken_promises(const RunRecord& record) {
   return broken;
 }
 
-Json settings_json(const DistanceJob& job) {
-  Json json{{"version", version()},
-            {"interface_version", interface_version},
-            {"build", build_tag},
-            {"seed", job.settings.seed},
-            {"threads", thread_count(job.settings)},
-            {"query", name(job.query)},
-            {"max_distance", to_json(job.max_distance)}};
+Json settings_of(const DistanceJob& job) {
+  Json json = settings_json(job.settings);
+  json["query"] = name(job.query), json["max_distance"] = to_json(job.max_distance);
   if (!caveat(job.query).empty()) json["query_caveat"] = caveat(job.query);
   return json;
 }
 
 Json run_json(const RunRecord& record) {
-  Json json = settings_json(record.job);
+  Json json = settings_of(record.job);
   json["sources"] = record.source_count, json["targets"] = record.target_count;
   if (record.matrix)
     json["output"] = record.job.matrix.string(),
     json["dtype"] = record.job.scalar == ScalarType::float64 ? "float64" : "float32";
   return json;
-}
-
-Json stages_json(const std::vector<StageRecord>& stages) {
-  Json json = Json::array();
-  for (const StageRecord& stage : stages) json.push_back(to_json(stage));
-  return json;
-}
-
-void summarize_surface(const Input& input, const SurfaceFacts& surface, std::ostream& out) {
-  out << "input      " << input.file.string() << ": " << input.facts.rows
-      << (input.kind == InputKind::mesh ? " vertices" : " points") << "\n";
-  out << "surface    " << surface.vertices << " vertices, " << surface.faces << " faces, "
-      << (surface.closed ? "closed" : "bordered") << ", " << surface.components
-      << (surface.components == 1 ? " component" : " components");
-  if (surface.genus) out << ", genus " << *surface.genus;
-  out << "\n";
-}
-
-void summarize_solver(const PreparedSolver& solver, std::ostream& out) {
-  out << "solver     " << solver.plugin.info.full_name() << ", ";
-  if (solver.plugin.factor == 1)
-    out << "exact\n";
-  else if (std::isinf(solver.plugin.factor))
-    out << "no stated guarantee\n";
-  else
-    out << "at most " << solver.plugin.factor << " times the distance\n";
 }
 
 /// The invariants that the rule promises.
@@ -171,8 +131,7 @@ void summarize_matrix(const DistanceJob& job, const MatrixResult& m, std::ostrea
 
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
   out.precision(4);
-  summarize_surface(record.opened.input, surface, out);
-  summarize_solver(record.solver, out);
+  summarize_provenance(record.opened.input, surface, record.solver, out);
   if (record.matrix) summarize_matrix(record.job, *record.matrix, out);
   if (record.nearest)
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
@@ -191,17 +150,10 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Sampl
 
 JobReport write_report(const RunRecord& record) {
   const Opened& opened = record.opened;
-  std::optional<SampleReport> sample;
-  if (opened.surface.sample)
-    sample = make_sample_report(opened.input, opened.surface, nullptr, record.solver.plugin.factor,
-                                record.job.settings.seed);
+  const auto sample = sample_report_of(opened, record.solver.plugin.factor, record.job.settings.seed);
   const SurfaceFacts facts = sample ? *sample->surface : facts_of(*opened.surface.mesh);
-  Json json{{"geodrome", run_json(record)}, {"input", to_json(opened.input)}, {"surface", to_json(facts)}};
-  if (sample) json.update(to_json(*sample));
-  json["surface"]["findings"] = to_json(opened.surface.findings);
-  json["stages"] = stages_json(opened.surface.stages);
-  json["stages"].push_back(to_json(record.solver.record));
-  json["solver_factor"] = to_json(record.solver.plugin.factor);
+  Json json{{"geodrome", run_json(record)}};
+  add_provenance(json, opened, sample, facts, record.solver);
   if (record.matrix) json["matrix"] = to_json(*record.matrix);
   if (record.nearest) json["nearest"] = to_json(*record.nearest);
   json["audit"] = to_json(record.audit);
@@ -218,13 +170,7 @@ JobReport write_report(const RunRecord& record) {
 }
 
 std::string refusal_report(const DistanceJob& job, const Opened& opened) {
-  Json json{{"geodrome", settings_json(job)}, {"input", to_json(opened.input)}};
-  json.update(
-      to_json(make_sample_report(opened.input, opened.surface, &*opened.refusal, std::nullopt, job.settings.seed)));
-  json["stages"] = stages_json(opened.surface.stages);
-  json["timings"] = {{"read", opened.read_seconds}, {"surface", opened.surface_seconds}};
-  json["peak_memory_bytes"] = peak_memory_bytes();
-  return text_of(json);
+  return refusal_report(settings_of(job), opened, job.settings.seed);
 }
 
 }  // namespace geodrome

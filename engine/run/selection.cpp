@@ -18,6 +18,8 @@ namespace {
 /// Barycentric coordinates may be off by as much as six printed digits leave; they are normalised to sum 1.
 constexpr double barycentric_tolerance = 1e-9;
 
+constexpr const char* pair_syntax = "write 'i, j', 'x y z, i', 'face b0 b1 b2, x y z': two entries of a list";
+
 /// What editors of Windows put before UTF-8.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
@@ -68,7 +70,30 @@ class Reader {
     return query;
   }
 
+  /// A line of a file of pairs, without comment; `entry` counts the pairs.
+  QueryPair pair(const std::string& text, std::size_t entry) {
+    const std::size_t comma = text.find(',');
+    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+      throw OptionError("expected two entries separated by one comma", pair_syntax);
+    return {end_of_pair(text.substr(0, comma), entry), end_of_pair(text.substr(comma + 1), entry)};
+  }
+
  private:
+  Query end_of_pair(const std::string& text, std::size_t entry) {
+    if (text.find(" +") != std::string::npos)
+      throw OptionError(input::quoted(text) + " has a start distance, which pairs have not",
+                        "leave out what follows ' +'");
+    std::istringstream stream(text);
+    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+    if (words.size() != 1 && words.size() != 3 && words.size() != 4)
+      throw OptionError(input::quoted(text) + " names no point", pair_syntax);
+    Query query = line(text, entry);
+    if (query.row != no_index) return query;
+    query.label.clear();
+    for (const std::string& word : words) query.label += (query.label.empty() ? "" : " ") + word;
+    return query;
+  }
+
   static double start(const std::string& text) {
     std::string word, more;
     std::istringstream stream(text);
@@ -120,6 +145,26 @@ class Reader {
   std::unordered_map<Index, std::vector<Index>> triangles_of_face_;
 };
 
+/// Calls `read(line)` for every line that holds more than a comment, without it, and names file and line if that
+/// throws.
+template <class Read>
+void for_each_line(std::istream& file, const std::string& name, Read&& read) {
+  std::string text;
+  for (std::size_t number = 1; std::getline(file, text); ++number) {
+    if (number == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
+    text = text.substr(0, text.find('#'));
+    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
+    for (char& c : text)
+      if (c == '\t' || c == '\r') c = ' ';
+    try {
+      read(text);
+    } catch (const OptionError& error) {
+      throw InputError(InputFault::syntax, name + ": line " + std::to_string(number) + ": " + error.message(),
+                       error.remedy());
+    }
+  }
+}
+
 std::vector<Query> read_file(const std::string& name, Reader& reader) {
   std::error_code ignored;
   const bool is_directory = std::filesystem::is_directory(name, ignored);
@@ -129,20 +174,7 @@ std::vector<Query> read_file(const std::string& name, Reader& reader) {
                      "the list '" + name + "' cannot be opened" + (is_directory ? ": it is a directory" : ""),
                      "write '@FILE' with the path of a file that may be read");
   std::vector<Query> queries;
-  std::string text;
-  for (std::size_t number = 1; std::getline(file, text); ++number) {
-    if (number == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
-    text = text.substr(0, text.find('#'));
-    if (text.find_first_not_of(" \t\r") == std::string::npos) continue;
-    for (char& c : text)
-      if (c == '\t' || c == '\r') c = ' ';
-    try {
-      queries.push_back(reader.line(text, queries.size()));
-    } catch (const OptionError& error) {
-      throw InputError(InputFault::syntax, name + ": line " + std::to_string(number) + ": " + error.message(),
-                       error.remedy());
-    }
-  }
+  for_each_line(file, name, [&](const std::string& text) { queries.push_back(reader.line(text, queries.size())); });
   if (queries.empty())
     throw InputError(InputFault::empty, name + ": names no point", "write one a line: 'i', 'x y z' or 'face b0 b1 b2'");
   return queries;
@@ -162,6 +194,17 @@ std::vector<Query> select(const std::string& text, const Input& input, const Sur
   for (std::string word; std::getline(list, word, ',');) queries.push_back(reader.row(word));
   if (queries.empty()) throw OptionError("no point is named", "write 'all', '0,5,9' or '@FILE'");
   return queries;
+}
+
+PairList select_pairs(const std::filesystem::path& file, const Input& input, const Surface& surface) {
+  Reader reader(input, surface);
+  input::SourceFile source = input::read_source(file);
+  PairList list{{}, input::content_hash(source.bytes)};
+  std::istringstream lines(std::move(source.bytes));
+  for_each_line(lines, file.string(),
+                [&](const std::string& text) { list.pairs.push_back(reader.pair(text, list.pairs.size())); });
+  if (list.pairs.empty()) throw InputError(InputFault::empty, file.string() + ": names no pair", pair_syntax);
+  return list;
 }
 
 }  // namespace geodrome

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -40,6 +41,20 @@ inline bool fits(const SolverPlugin& plugin, const SurfaceMesh& mesh) {
 }
 
 inline std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
+
+/// Is cancelled after it was asked so often.
+class CancelAfter : public QuietContext {
+ public:
+  explicit CancelAfter(int polls) : left_(polls) {}
+  bool cancelled() const noexcept override { return left_-- <= 0; }
+
+ private:
+  mutable int left_;
+};
+
+inline bool same_bytes(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
 
 /// The plugin that exact results are compared with where no formula is known; null in a build without it.
 inline const SolverPlugin* reference() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Every solver: what may be asked of a search, bit by declared bit, and how it is used again.
 #include <algorithm>
-#include <cstring>
 #include <thread>
 
 #include "contract/solver_contract.hpp"
@@ -9,19 +8,6 @@
 
 namespace geodrome::test {
 namespace {
-
-class CancelAfter : public QuietContext {
- public:
-  explicit CancelAfter(int polls) : left_(polls) {}
-  bool cancelled() const noexcept override { return left_-- <= 0; }
-
- private:
-  mutable int left_;
-};
-
-bool same_bytes(std::span<const double> a, std::span<const double> b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
-}
 
 class SolverRequests : public SolverContract {
  protected:

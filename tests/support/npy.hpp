@@ -8,7 +8,7 @@
 
 namespace geodrome::testing {
 
-/// A little-endian float64 .npy matrix in C order, read by the format's own rules.
+/// A little-endian float64 .npy matrix in C order, read by the format's own rules; a vector is one of one row.
 struct Matrix {
   std::size_t rows = 0, columns = 0;
   std::vector<double> values;
@@ -25,8 +25,10 @@ inline Matrix read_npy(const std::filesystem::path& file) {
     throw std::runtime_error("not little-endian float64 in C order: " + header);
   Matrix matrix;
   const std::string shape = header.substr(header.find('(') + 1);
-  matrix.rows = std::stoul(shape);
-  matrix.columns = std::stoul(shape.substr(shape.find(',') + 1));
+  const std::string second = shape.substr(shape.find(',') + 1);
+  const bool is_vector = second.starts_with(')');
+  matrix.rows = is_vector ? 1 : std::stoul(shape);
+  matrix.columns = std::stoul(is_vector ? shape : second);
   matrix.values.resize(matrix.rows * matrix.columns);
   if (bytes.size() != 10 + length + 8 * matrix.values.size()) throw std::runtime_error("size and shape differ");
   std::memcpy(matrix.values.data(), bytes.data() + 10 + length, 8 * matrix.values.size());

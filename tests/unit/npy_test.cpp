@@ -30,6 +30,10 @@ TEST(NpyHeader, NamesSinglePrecision) {
   EXPECT_NE(npy_header(3, 4, ScalarType::float32).find("'descr': '<f4'"), std::string::npos);
 }
 
+TEST(NpyHeader, OfAVectorHasAShapeOfOneNumber) {
+  EXPECT_NE(npy_header(7, ScalarType::float64).find("'shape': (7,), }"), std::string::npos);
+}
+
 TEST(NpyHeader, EndsAtAMultipleOf64AndStatesItsLength) {
   for (std::uint64_t rows = 0, step = 1; rows < std::uint64_t{1} << 60; rows += step, step *= 3) {
     const std::string header = npy_header(rows, step, ScalarType::float64);

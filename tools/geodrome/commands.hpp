@@ -17,6 +17,7 @@ namespace geodrome::cli {
 using Action = std::function<int()>;
 
 void add_distances(CLI::App& app, Action& action);
+void add_queries(CLI::App& app, Action& action);
 void add_surface(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_check(CLI::App& app, Action& action);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <iostream>
 
 namespace geodrome::cli {
 
@@ -57,6 +58,15 @@ void Console::log(LogLevel level, std::string_view message) {
 void Console::clear_line() {
   if (line_shown_) std::fprintf(stderr, "\r\033[K");
   line_shown_ = false;
+}
+
+// Wrong numbers must not look like right ones: not even to a script that reads nothing but the status.
+int tell_broken_promises(const std::vector<std::string>& promises, const std::string& solver) {
+  if (promises.empty()) return 0;
+  for (const std::string& what : promises) std::cerr << "geodrome: broken promise: " << what << "\n";
+  std::cerr << "geodrome: do not trust these distances; choose another solver than " << solver
+            << ", or check the input\n";
+  return 5;
 }
 
 }  // namespace geodrome::cli

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "geodrome/engine/observer.hpp"
 
@@ -37,5 +38,8 @@ auto with_console(bool quiet, Job&& job) {
   Console console(quiet);
   return job(console);
 }
+
+/// The exit status of a job that broke the promises, 0 if there is none; says on standard error what not to trust.
+int tell_broken_promises(const std::vector<std::string>& promises, const std::string& solver);
 
 }  // namespace geodrome::cli

@@ -28,15 +28,6 @@ void add_outputs(CLI::App& command, DistanceJob& job) {
   command.add_flag("--yes", job.yes, "Consent to a matrix of more than 4 GB");
 }
 
-/// Wrong numbers must not look like right ones: not even to a script that reads nothing but the status.
-int tell_broken_promises(const JobReport& report, const std::string& solver) {
-  if (report.broken_promises.empty()) return 0;
-  for (const std::string& what : report.broken_promises) std::cerr << "geodrome: broken promise: " << what << "\n";
-  std::cerr << "geodrome: do not trust these distances; choose another solver than " << solver
-            << ", or check the input\n";
-  return 5;
-}
-
 }  // namespace
 
 void add_distances(CLI::App& app, Action& action) {
@@ -73,7 +64,7 @@ void add_distances(CLI::App& app, Action& action) {
       const JobReport report =
           with_console(arguments->quiet, [&](Console& console) { return run_distances(arguments->job, console); });
       std::cout << report.summary;
-      return tell_broken_promises(report, arguments->job.settings.stages.solver);
+      return tell_broken_promises(report.broken_promises, arguments->job.settings.stages.solver);
     };
   });
 }

@@ -60,7 +60,8 @@ int run(int argc, char** argv) {
   app.footer(footer);
   geodrome::cli::Action action;
   using namespace geodrome::cli;
-  for (const auto add : {add_distances, add_surface, add_path, add_check, add_plugins, add_compare, add_shape})
+  for (const auto add :
+       {add_distances, add_queries, add_surface, add_path, add_check, add_plugins, add_compare, add_shape})
     add(app, action);
   const int status = parse(app, argc, argv);
   if (status > 0) return status;

@@ -42,11 +42,22 @@ class GEODROME_VISIBLE Search {
   virtual const ShortestPathMap& run(std::span<const Source> sources, const Request& request, RunContext& context) = 0;
 };
 
-/// Distances between arbitrary pairs of points, after preprocessing. Immutable; thread-safe.
+/// Distances between arbitrary pairs of points, after preprocessing. Immutable: every member may be called from several
+/// threads at once. May outlive neither the surface that made it nor the plugin.
 class GEODROME_VISIBLE PairOracle {
  public:
   virtual ~PairOracle() = default;
+
+  /// The distance of any two points of the surface, >= 0; 0 from a point to itself, +inf between components. The
+  /// descriptor's factor holds where it holds for a search: between vertices, between any points with factor_any_point.
+  /// The value depends on the two points alone, whichever thread asks and whatever was asked before. Throws InputError
+  /// for a point off the mesh.
   virtual double distance(const SurfacePoint& from, const SurfacePoint& to) const = 0;
+
+  /// Writes all that `pair_oracle` needs to answer with the same bytes, from the stream's place on, binary, without
+  /// seeking. Mesh, plugin and options need not be told: the engine wraps what is written here with hashes of these, a
+  /// length and a checksum. A number for the plugin's own format belongs here, changed whenever that changes. The
+  /// engine looks after a stream that fails.
   virtual void save(std::ostream& out) const = 0;
 };
 
@@ -58,7 +69,12 @@ class GEODROME_VISIBLE PreparedSurface {
   virtual std::unique_ptr<Search> make_search() const = 0;
   /// Memory held beyond the mesh, in bytes.
   virtual std::size_t bytes() const = 0;
-  /// Builds the oracle, or reads one that `PairOracle::save` wrote. Null unless the solver provides pair_queries.
+  /// Builds the oracle (`saved` null), or reads one that `PairOracle::save` wrote: from the stream's place, forward
+  /// only, to its end. The engine has checked that this was saved by this plugin with these options for this mesh and
+  /// seed and that no byte changed; who calls it otherwise has not, so a plugin checks its own format number, and every
+  /// count and index before it is used, and reserves no memory on the word of a count alone. Throws InputError
+  /// (truncated, syntax) for what it did not write, Cancelled; may use `context.threads()`, on which no answer depends.
+  /// Thread-safe. Null unless the solver provides pair_queries.
   virtual std::unique_ptr<PairOracle> pair_oracle(std::istream* /*saved*/, RunContext&) const { return nullptr; }
 };
 
@@ -81,7 +97,7 @@ enum Provides : std::uint64_t {
   any_point = 16,          ///< ShortestPathMap::at anywhere
   paths = 32,              ///< ShortestPathMap::path
   path_is_distance = 64,   ///< the path's length is the distance
-  pair_queries = 128,      ///< PreparedSurface::pair_oracle
+  pair_queries = 128,      ///< PreparedSurface::pair_oracle, for any two points
   weights = 256,           ///< SurfaceMesh::face_weights
   factor_any_point = 512,  ///< the factor holds at any point, not only at vertices
 };

@@ -54,6 +54,24 @@ struct JobReport {
 /// prepared solver, and O(targets) per thread.
 JobReport run_distances(const DistanceJob& job, Observer& observer);
 
+/// Distances of many pairs of points, by the oracle of a solver that provides pair_queries. Points of a cloud lie at
+/// their closest surface points, D = max(surface distance, |st|).
+struct QueryJob {
+  std::filesystem::path input;
+  RunSettings settings;
+  std::filesystem::path pairs;   ///< a pair a line: see `select_pairs`
+  std::filesystem::path out;     ///< .npy (float64, one a pair) or .csv (pair,from,to,distance,reach)
+  std::filesystem::path index;   ///< the oracle: read if the file is there, else built and saved there; empty: built
+  std::filesystem::path report;  ///< .json
+};
+
+/// Does the whole job, as `run_distances`, with the same bytes in `out` for any number of threads and whether the
+/// oracle was built or read; +inf: unreachable, NaN: a row was dropped. `broken_promises` tells of reach within and
+/// across components, D(s, s) and D >= Euclid. Throws any geodrome::Error: CapabilityError for another solver,
+/// InputError for pairs that cannot be read and for an index that is damaged or belongs to another mesh, solver, option
+/// or seed. Memory: the surface, the prepared solver, the oracle (twice while it is saved), and O(pairs).
+JobReport run_queries(const QueryJob& job, Observer& observer);
+
 /// What a file holds; of points also what stages 1 to 4 make of it, unless `input_only`.
 struct CheckJob {
   std::filesystem::path input;
@@ -75,7 +93,7 @@ CheckReport run_check(const CheckJob& job, Observer& observer);
 struct PathJob {
   std::filesystem::path input;
   RunSettings settings;
-  std::string from, to;  ///< one entry each, as `select` reads it
+  std::string from, to;                  ///< one entry each, as `select` reads it
   QueryRule query = QueryRule::project;  ///< not `printed`, whose minima are lengths of no path
   std::filesystem::path out;
 };

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: MIT
+#include "engine/output/index_file.hpp"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "engine/input/source_file.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/number_text.hpp"
+
+namespace geodrome {
+namespace {
+
+using Json = nlohmann::json;
+
+static_assert(std::endian::native == std::endian::little, "index files are written in the machine's own byte order");
+
+constexpr std::array<char, 8> index_magic = {'G', 'E', 'O', 'I', 'N', 'D', 'E', 'X'};
+constexpr std::uint32_t format_version = 1;
+
+struct Preamble {
+  std::array<char, 8> magic;
+  std::uint32_t version, reserved;
+  std::uint64_t identity_bytes, identity_checksum, payload_bytes, payload_checksum;
+  std::uint64_t reserved_too;
+  std::uint64_t checksum;  ///< of all that stands before it
+};
+static_assert(sizeof(Preamble) == 64);
+
+std::uint64_t checksum_of(const Preamble& preamble) { return XXH3_64bits(&preamble, offsetof(Preamble, checksum)); }
+
+std::string text_of(const IndexIdentity& identity) {
+  return Json{{"solver", identity.solver},     {"options", identity.options}, {"seed", identity.seed},
+              {"vertices", identity.vertices}, {"faces", identity.faces},     {"mesh", identity.mesh}}
+      .dump();
+}
+
+/// Throws nlohmann's exceptions for a text that `text_of` did not write.
+IndexIdentity identity_from(const std::string& text) {
+  const Json json = Json::parse(text);
+  IndexIdentity identity;
+  json.at("solver").get_to(identity.solver), json.at("options").get_to(identity.options);
+  json.at("seed").get_to(identity.seed), json.at("mesh").get_to(identity.mesh);
+  json.at("vertices").get_to(identity.vertices), json.at("faces").get_to(identity.faces);
+  return identity;
+}
+
+std::string mesh_text(const IndexIdentity& identity) {
+  return std::to_string(identity.vertices) + " vertices, " + std::to_string(identity.faces) + " faces, hash " +
+         identity.mesh;
+}
+
+std::string option_differences(const IndexIdentity& was, const IndexIdentity& is) {
+  std::string text;
+  const auto add = [&](const std::string& name, const std::string& old, const std::string& now) {
+    if (old == now) return;
+    if (!text.empty()) text += ", ";
+    text.append(name).append(" was ").append(old).append(" and is ").append(now);
+  };
+  const auto value = [](const IndexIdentity& identity, const std::string& name) {
+    const auto found = identity.options.find(name);
+    return found == identity.options.end() ? "absent" : found->second;
+  };
+  std::map<std::string, std::string> names = was.options;
+  names.insert(is.options.begin(), is.options.end());
+  for (const auto& [name, ignored] : names) add(name, value(was, name), value(is, name));
+  return text;
+}
+
+/// Reads an index from its file, piece by piece, and refuses what is wrong with it.
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& path) : path_(path) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error))
+      refuse(InputFault::io, "is no regular file", "name another one");
+    size_ = std::filesystem::file_size(path, error);
+    file_.open(path, std::ios::binary);
+    if (error || !file_) refuse(InputFault::io, "cannot be opened", "check its permissions");
+    read_preamble();
+    read_identity();
+  }
+
+  void demand_same(const IndexIdentity& now) const {
+    const std::string mine = "remove it, or name another file";
+    if (identity_.solver != now.solver)
+      refuse(InputFault::unsupported, "is the index of another solver: " + identity_.solver + ", not " + now.solver,
+             mine);
+    if (const std::string what = option_differences(identity_, now); !what.empty())
+      refuse(InputFault::unsupported, "is the index of " + now.solver + " with other options: " + what, mine);
+    if (mesh_text(identity_) != mesh_text(now))
+      refuse(InputFault::unsupported,
+             "is the index of another mesh: " + mesh_text(identity_) + "; this one has " + mesh_text(now), mine);
+    if (identity_.seed != now.seed)
+      refuse(InputFault::unsupported,
+             "was built with another seed: " + std::to_string(identity_.seed) + ", not " + std::to_string(now.seed),
+             mine);
+  }
+
+  std::ifstream checked_payload() && {
+    const auto begin = file_.tellg();
+    struct Free {
+      void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
+    };
+    const std::unique_ptr<XXH3_state_t, Free> state(XXH3_createState());
+    if (!state) throw std::bad_alloc();
+    XXH3_64bits_reset(state.get());
+    std::vector<char> block(1 << 16);
+    for (std::uint64_t left = preamble_.payload_bytes; left > 0;) {
+      const std::size_t part = std::min<std::uint64_t>(left, block.size());
+      read(block.data(), part);
+      XXH3_64bits_update(state.get(), block.data(), part);
+      left -= part;
+    }
+    if (XXH3_64bits_digest(state.get()) != preamble_.payload_checksum) refuse_damaged("its content");
+    file_.seekg(begin);
+    return std::move(file_);
+  }
+
+ private:
+  [[noreturn]] void refuse(InputFault fault, const std::string& what, const std::string& remedy) const {
+    throw InputError(fault, path_.string() + ": " + what, remedy);
+  }
+  [[noreturn]] void refuse_damaged(const std::string& part) const {
+    refuse(InputFault::syntax, "is damaged: the checksum of " + part + " is another", rebuild_);
+  }
+
+  void read(void* to, std::size_t size) {
+    if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(size)))
+      refuse(InputFault::io, "cannot be read", "check the disk");
+  }
+
+  void read_preamble() {
+    std::array<char, sizeof(Preamble)> bytes{};
+    read(bytes.data(), std::min<std::uint64_t>(size_, bytes.size()));
+    preamble_ = std::bit_cast<Preamble>(bytes);
+    const std::size_t begun = std::min<std::uint64_t>(size_, index_magic.size());
+    if (std::memcmp(bytes.data(), index_magic.data(), begun) != 0)
+      refuse(InputFault::syntax, "is no index file", "name a file that 'geodrome queries --index' made, or a new one");
+    if (size_ < sizeof(Preamble)) refuse(InputFault::truncated, "ends within its first bytes", rebuild_);
+    if (preamble_.version != format_version)
+      refuse(InputFault::unsupported,
+             "has format version " + std::to_string(preamble_.version) + ", this program reads " +
+                 std::to_string(format_version),
+             rebuild_);
+    if (preamble_.checksum != checksum_of(preamble_)) refuse_damaged("its first bytes");
+    // Lengths that no file has would wrap around in the sum.
+    constexpr std::uint64_t longest = std::uint64_t{1} << 62;
+    if (std::max(preamble_.identity_bytes, preamble_.payload_bytes) > longest) refuse_damaged("its first bytes");
+    const std::uint64_t due = sizeof(Preamble) + preamble_.identity_bytes + preamble_.payload_bytes;
+    if (size_ == due) return;
+    const std::string sizes = std::to_string(size_) + " bytes instead of " + std::to_string(due);
+    refuse(size_ < due ? InputFault::truncated : InputFault::syntax, "has " + sizes, rebuild_);
+  }
+
+  void read_identity() {
+    std::string text(preamble_.identity_bytes, '\0');
+    read(text.data(), text.size());
+    if (XXH3_64bits(text.data(), text.size()) != preamble_.identity_checksum) refuse_damaged("what it belongs to");
+    try {
+      identity_ = identity_from(text);
+    } catch (const Json::exception&) {
+      refuse_damaged("what it belongs to");
+    }
+  }
+
+  static constexpr const char* rebuild_ = "remove it: it is built anew then";
+  std::filesystem::path path_;
+  std::uint64_t size_ = 0;
+  std::ifstream file_;
+  Preamble preamble_{};
+  IndexIdentity identity_;
+};
+
+}  // namespace
+
+IndexIdentity identity_of(const SurfaceMesh& mesh, const PluginInfo& plugin, const OptionValues& options,
+                          std::uint64_t seed) {
+  const auto hash = [](const auto& values) {
+    return input::content_hash({reinterpret_cast<const char*>(values.data()), values.size_bytes()});
+  };
+  IndexIdentity identity{plugin.full_name(), {}, seed, mesh.vertex_count(), mesh.face_count(), {}};
+  for (const OptionInfo& option : plugin.options) {
+    const bool is_number = option.type == OptionType::integer || option.type == OptionType::number;
+    identity.options[option.name] = is_number ? number_text(options.number(option.name)) : options.text(option.name);
+  }
+  identity.mesh = input::content_hash(hash(mesh.positions()) + hash(mesh.triangles()) + hash(mesh.face_weights()));
+  return identity;
+}
+
+std::uint64_t write_index(const std::filesystem::path& file, const IndexIdentity& identity,
+                          const std::function<void(std::ostream&)>& save) {
+  const std::string text = text_of(identity);
+  std::ostringstream stream(std::ios::binary);
+  stream << std::string(sizeof(Preamble), '\0') << text;
+  save(stream);
+  if (!stream) throw std::bad_alloc();  // memory is all that such a stream can run out of
+  std::string bytes = std::move(stream).str();
+  const std::string_view payload = std::string_view(bytes).substr(sizeof(Preamble) + text.size());
+  Preamble preamble{index_magic,
+                    format_version,
+                    0,
+                    text.size(),
+                    XXH3_64bits(text.data(), text.size()),
+                    payload.size(),
+                    XXH3_64bits(payload.data(), payload.size()),
+                    0,
+                    0};
+  preamble.checksum = checksum_of(preamble);
+  std::memcpy(bytes.data(), &preamble, sizeof preamble);
+  write_atomically(file, bytes);
+  return bytes.size();
+}
+
+std::ifstream open_index(const std::filesystem::path& file, const IndexIdentity& identity) {
+  Reader reader(file);
+  reader.demand_same(identity);
+  return std::move(reader).checked_payload();
+}
+
+}  // namespace geodrome
