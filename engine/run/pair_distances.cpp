@@ -88,6 +88,7 @@ PairDistances pair_distances(const Surface& surface, const PreparedSolver& solve
   PairDistances result;
   ask(solver, oracle, pairs, threads, context, result);
   check(*surface.mesh, pairs, result);
+  result.audit = audit_pairs(*surface.mesh, solver, pairs, result.values, context);
   if (surface.made_from == InputKind::points)
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       double& value = result.values[i];

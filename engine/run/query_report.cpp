@@ -19,6 +19,9 @@ std::vector<std::string> broken_promises(const PairDistances& distances) {
   demand_none(distances.reach.impossible, "between components are numbers");
   demand_none(distances.below_euclid, "are shorter than the straight line");
   demand_none(distances.not_zero, "of points from themselves are not 0");
+  if (!distances.audit.holds())
+    broken.push_back("the audit failed: pair " + std::to_string(distances.audit.worst_pair) +
+                     " and a search for it differ by more than the factor allows");
   return broken;
 }
 
@@ -49,6 +52,11 @@ Json pairs_json(const QueryRecord& record) {
           {"microseconds_per_query", d.microseconds()}};
 }
 
+Json audit_json(const PairAudit& audit) {
+  if (!audit.not_audited.empty()) return {{"audited", false}, {"because", audit.not_audited}};
+  return {{"audited", true}, {"pairs", audit.pairs}, {"worst", to_json(audit.worst)}, {"worst_pair", audit.worst_pair}};
+}
+
 void summarize_oracle(const QueryJob& job, const ReadyOracle& oracle, std::ostream& out) {
   out << "oracle     ";
   if (oracle.was_read)
@@ -65,6 +73,11 @@ void summarize_pairs(const QueryJob& job, const PairDistances& d, std::ostream& 
       << d.microseconds() << " us a query; " << d.reach.unreachable << " unreachable, " << d.reach.not_computed
       << " not computed\n";
   out << "invariants " << (d.sound() ? "hold" : "VIOLATED") << " (D >= Euclid, D(s,s), reach)\n";
+  if (d.audit.not_audited.empty())
+    out << "audit      " << d.audit.pairs << " pairs searched for anew: worst violation of the factor " << d.audit.worst
+        << "\n";
+  else
+    out << "audit      not audited: " << d.audit.not_audited << "\n";
 }
 
 std::string summary_of(const QueryRecord& record, const SurfaceFacts& surface, const SampleReport* sample) {
@@ -88,6 +101,7 @@ JobReport write_report(const QueryRecord& record) {
   add_provenance(json, opened, sample, facts, record.solver);
   json["oracle"] = oracle_json(record);
   json["pairs"] = pairs_json(record);
+  json["audit"] = audit_json(record.distances.audit);
   const std::vector<std::string> broken = broken_promises(record.distances);
   json["broken_promises"] = broken;
   json["timings"] = {{"read", opened.read_seconds},

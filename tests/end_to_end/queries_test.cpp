@@ -160,6 +160,7 @@ TEST_F(Queries, OfAnOracleThatBreaksPromisesAreWrittenWithStatusFive) {
   expect(queries({"-o", file("q.npy")}, "test_pairs:fault=everywhere_inf"), 5, "within a component are inf");
   expect(queries({"-o", file("q.npy")}, "test_pairs:fault=away_from_itself"), 5,
          "1 distances of points from themselves");
+  expect(queries({"-o", file("q.npy")}, "test_pairs:fault=away_from_itself"), 5, "the audit failed: pair");
   write_bytes(folder_ / "two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
   write_bytes(folder_ / "p.txt", "0, 3\n");
   expect(queries({"-o", file("q.npy")}, "test_pairs:fault=never_inf", "two.off"), 5, "between components are numbers");
@@ -208,13 +209,15 @@ TEST_F(Queries, AreReportedWithProvenanceAndFigures) {
   const json r = report("r.json");
   EXPECT_EQ(r["geodrome"]["threads"], 2);
   EXPECT_EQ(r["input"]["rows"], 162);
-  EXPECT_EQ(r["stages"][0]["plugin"]["name"], "test_pairs") << r["stages"];
+  EXPECT_EQ(r["stages"][0]["plugin"], "solver_test_pairs");
   EXPECT_EQ(r["solver_factor"], 2.0);
   EXPECT_EQ(r["pairs"]["count"], 4);
   EXPECT_EQ(r["pairs"]["hash"].get<std::string>().size(), 32u);
   EXPECT_GT(r["pairs"]["microseconds_per_query"].get<double>(), 0);
   EXPECT_FALSE(r["oracle"].contains("index_bytes"));
   EXPECT_TRUE(r["broken_promises"].empty());
+  EXPECT_EQ(r["audit"]["pairs"], 3);
+  EXPECT_LT(r["audit"]["worst"].get<double>(), 1e-12) << "of what the factor 2 allows";
 }
 
 TEST_F(Queries, ThatAreCancelledLeaveNothingHalf) {

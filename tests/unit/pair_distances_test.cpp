@@ -42,6 +42,7 @@ class PairQueries : public testing::Test {
   PairQueries() {
     surface_.mesh = mesh_;
     solver_.plugin.info.stage = "solver", solver_.plugin.info.name = "told";
+    solver_.plugin.factor = infinity;  // it has no searches that an audit could ask
   }
   Query vertex(Index v) const {
     return {{Place::State::on_surface, mesh_->at_vertex(v), v, mesh_->positions()[v]}, 0, v, std::to_string(v)};

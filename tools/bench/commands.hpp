@@ -23,6 +23,7 @@ void add_exactness(CLI::App& app, Action& action);
 void add_fuzz(CLI::App& app, Action& action);
 void add_factor(CLI::App& app, Action& action);
 void add_section4(CLI::App& app, Action& action);
+void add_queries(CLI::App& app, Action& action);
 
 /// Options that several subcommands share, each declared once.
 void add_stages(CLI::App& command, RunSettings& settings);   ///< plugins of stages 1 to 4, --plugin-path

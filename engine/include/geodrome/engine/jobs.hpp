@@ -67,9 +67,10 @@ struct QueryJob {
 
 /// Does the whole job, as `run_distances`, with the same bytes in `out` for any number of threads and whether the
 /// oracle was built or read; +inf: unreachable, NaN: a row was dropped. `broken_promises` tells of reach within and
-/// across components, D(s, s) and D >= Euclid. Throws any geodrome::Error: CapabilityError for another solver,
-/// InputError for pairs that cannot be read and for an index that is damaged or belongs to another mesh, solver, option
-/// or seed. Memory: the surface, the prepared solver, the oracle (twice while it is saved), and O(pairs).
+/// across components, D(s, s), D >= Euclid, and a few pairs against searches. Throws any geodrome::Error:
+/// CapabilityError for another solver, InputError for pairs that cannot be read and for an index that is damaged or
+/// belongs to another mesh, solver, option or seed. Memory: the surface, the prepared solver, the oracle (twice while
+/// it is saved), and O(pairs).
 JobReport run_queries(const QueryJob& job, Observer& observer);
 
 /// What a file holds; of points also what stages 1 to 4 make of it, unless `input_only`.
