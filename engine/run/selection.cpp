@@ -18,6 +18,7 @@ namespace {
 /// Barycentric coordinates may be off by as much as six printed digits leave; they are normalised to sum 1.
 constexpr double barycentric_tolerance = 1e-9;
 
+constexpr const char* entry_syntax = "write one a line: 'i', 'x y z' or 'face b0 b1 b2'";
 constexpr const char* pair_syntax = "write 'i, j', 'x y z, i', 'face b0 b1 b2, x y z': two entries of a list";
 
 /// What editors of Windows put before UTF-8.
@@ -80,17 +81,17 @@ class Reader {
 
  private:
   Query end_of_pair(const std::string& text, std::size_t entry) {
-    if (text.find(" +") != std::string::npos)
-      throw OptionError(input::quoted(text) + " has a start distance, which pairs have not",
-                        "leave out what follows ' +'");
     std::istringstream stream(text);
-    const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-    if (words.size() != 1 && words.size() != 3 && words.size() != 4)
-      throw OptionError(input::quoted(text) + " names no point", pair_syntax);
-    Query query = line(text, entry);
-    if (query.row != no_index) return query;
-    query.label.clear();
-    for (const std::string& word : words) query.label += (query.label.empty() ? "" : " ") + word;
+    std::string written;
+    std::size_t words = 0;
+    for (std::string word; stream >> word; ++words) written.append(words > 0 ? " " : "").append(word);
+    if (written.find(" +") != std::string::npos)
+      throw OptionError(input::quoted(written) + " has a start distance, which pairs have not",
+                        "leave out what follows ' +'");
+    if (words != 1 && words != 3 && words != 4)
+      throw OptionError(input::quoted(written) + " names no point", pair_syntax);
+    Query query = line(written, entry);
+    if (query.row == no_index) query.label = written;
     return query;
   }
 
@@ -145,10 +146,10 @@ class Reader {
   std::unordered_map<Index, std::vector<Index>> triangles_of_face_;
 };
 
-/// Calls `read(line)` for every line that holds more than a comment, without it, and names file and line if that
-/// throws.
+/// Calls `read(line)` for every line that holds more than a comment, without it. If that throws, names file and line,
+/// and `syntax` as the remedy where there is none.
 template <class Read>
-void for_each_line(std::istream& file, const std::string& name, Read&& read) {
+void for_each_line(std::istream& file, const std::string& name, const char* syntax, Read&& read) {
   std::string text;
   for (std::size_t number = 1; std::getline(file, text); ++number) {
     if (number == 1 && text.starts_with(byte_order_mark)) text.erase(0, byte_order_mark.size());
@@ -160,7 +161,7 @@ void for_each_line(std::istream& file, const std::string& name, Read&& read) {
       read(text);
     } catch (const OptionError& error) {
       throw InputError(InputFault::syntax, name + ": line " + std::to_string(number) + ": " + error.message(),
-                       error.remedy());
+                       error.remedy().empty() ? syntax : error.remedy());
     }
   }
 }
@@ -174,9 +175,9 @@ std::vector<Query> read_file(const std::string& name, Reader& reader) {
                      "the list '" + name + "' cannot be opened" + (is_directory ? ": it is a directory" : ""),
                      "write '@FILE' with the path of a file that may be read");
   std::vector<Query> queries;
-  for_each_line(file, name, [&](const std::string& text) { queries.push_back(reader.line(text, queries.size())); });
-  if (queries.empty())
-    throw InputError(InputFault::empty, name + ": names no point", "write one a line: 'i', 'x y z' or 'face b0 b1 b2'");
+  for_each_line(file, name, entry_syntax,
+                [&](const std::string& text) { queries.push_back(reader.line(text, queries.size())); });
+  if (queries.empty()) throw InputError(InputFault::empty, name + ": names no point", entry_syntax);
   return queries;
 }
 
@@ -201,7 +202,7 @@ PairList select_pairs(const std::filesystem::path& file, const Input& input, con
   input::SourceFile source = input::read_source(file);
   PairList list{{}, input::content_hash(source.bytes)};
   std::istringstream lines(std::move(source.bytes));
-  for_each_line(lines, file.string(),
+  for_each_line(lines, file.string(), pair_syntax,
                 [&](const std::string& text) { list.pairs.push_back(reader.pair(text, list.pairs.size())); });
   if (list.pairs.empty()) throw InputError(InputFault::empty, file.string() + ": names no pair", pair_syntax);
   return list;

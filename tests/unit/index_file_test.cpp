@@ -14,6 +14,7 @@
 namespace geodrome::testing {
 namespace {
 
+using test::mapped;
 using test::plane_grid;
 
 constexpr OptionSpec specs[] = {number_option("delta", "0.1", 0, 1, "", ""), choice_option("mode", "on", "on|off", "")};
