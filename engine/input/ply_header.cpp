@@ -98,6 +98,23 @@ void check(const SourceFile& file, PlyHeader& header) {
   }
 }
 
+std::string scalars_of(const PlyElement& element) {
+  std::string names;
+  for (const PlyProperty& property : element.properties)
+    if (!property.count_type) names += (names.empty() ? "'" : ", '") + property.name + "'";
+  return names.empty() ? "they have no numbers" : "their numbers are " + names;
+}
+
+void find_weight(const SourceFile& file, std::string_view name, PlyElement& faces) {
+  for (PlyProperty& property : faces.properties)
+    if (property.name == name && !property.count_type) property.role = PlyRole::weight;
+  const std::size_t found = count_role(faces, PlyRole::weight);
+  if (found == 1) return;
+  const std::string many = found == 0 ? "have no number named " : "have several numbers named ";
+  reject(file, InputFault::unsupported, "the faces " + many + quoted(name),
+         scalars_of(faces) + "; a text file with a number per face does as well");
+}
+
 }  // namespace
 
 std::size_t PlyElement::least_bytes(PlyEncoding encoding) const {
@@ -107,7 +124,7 @@ std::size_t PlyElement::least_bytes(PlyEncoding encoding) const {
   return bytes;
 }
 
-PlyHeader read_ply_header(const SourceFile& file) {
+PlyHeader read_ply_header(const SourceFile& file, std::string_view weight_property) {
   LineReader lines(file);
   if (!lines.next() || lines.word() != "ply")
     reject(file, InputFault::syntax, "the magic word 'ply' is missing", "check that the file is PLY");
@@ -120,6 +137,9 @@ PlyHeader read_ply_header(const SourceFile& file) {
       header.body_offset = lines.offset();
       header.lines = lines.line();
       check(file, header);
+      for (PlyElement& element : header.elements)
+        if (!weight_property.empty() && element.name == "face" && element.count > 0)
+          find_weight(file, weight_property, element);
       return header;
     }
     if (word == "format") {

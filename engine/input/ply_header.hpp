@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/input/line_reader.hpp"
@@ -20,7 +21,8 @@ constexpr std::size_t size_of(PlyType type) {
 constexpr bool is_integer(PlyType type) { return type < PlyType::float32; }
 
 /// What the engine does with a property's values.
-enum class PlyRole : std::uint8_t { x, y, z, corners, unused };
+enum class PlyRole : std::uint8_t { x, y, z, corners, weight, unused };
+constexpr std::size_t ply_role_count = 6;
 
 struct PlyProperty {
   std::string name;
@@ -46,7 +48,8 @@ struct PlyHeader {
 };
 
 /// Reads the header and checks it: there is one vertex element with x, y and z; faces are lists of integers; what is
-/// announced fits into the file.
-PlyHeader read_ply_header(const SourceFile& file);
+/// announced fits into the file. The faces' number named `weight_property`, if that is not empty, gets the role of the
+/// weight; rejects (unsupported) faces that have none.
+PlyHeader read_ply_header(const SourceFile& file, std::string_view weight_property = {});
 
 }  // namespace geodrome::input

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <bit>
 #include <cstring>
 
@@ -101,20 +102,48 @@ void read_list(const SourceFile& file, const PlyHeader& header, const PlyPropert
   }
 }
 
+bool has_weight(const PlyElement& element) {
+  return std::any_of(element.properties.begin(), element.properties.end(),
+                     [](const PlyProperty& property) { return property.role == PlyRole::weight; });
+}
+
+bool is_called_weight(std::string name) {
+  for (char& c : name)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return name.find("weight") != name.npos;
+}
+
+/// Nobody should believe that weights were used because they are there.
+void note_unused_weights(const PlyHeader& header, Soup& soup) {
+  for (const PlyElement& element : header.elements)
+    for (const PlyProperty& property : element.properties)
+      if (element.name == "face" && !property.count_type && property.role == PlyRole::unused &&
+          is_called_weight(property.name))
+        soup.findings.push_back({Finding::Severity::note,
+                                 "weights_not_used",
+                                 "The faces have a property '" + property.name +
+                                     "', which was not used: --weights property:" + property.name +
+                                     " measures with it.",
+                                 element.count,
+                                 {}});
+}
+
 template <class Values>
 void read_rows(const SourceFile& file, const PlyHeader& header, const PlyElement& element, Values& values, Soup& soup) {
+  const bool weighted = has_weight(element);
   for (std::uint64_t row = 0; row < element.count; ++row) {
     values.start_row(element, row);
-    double coordinate[5];  // one for each role
+    double number[ply_role_count];
     for (const PlyProperty& property : element.properties) {
       if (property.count_type)
         read_list(file, header, property, values, soup);
       else
-        coordinate[static_cast<std::size_t>(property.role)] = values.number(property.type);
+        number[static_cast<std::size_t>(property.role)] = values.number(property.type);
     }
     values.end_row();
-    if (element.name == "vertex") soup.positions.push_back({coordinate[0], coordinate[1], coordinate[2]});
+    if (element.name == "vertex") soup.positions.push_back({number[0], number[1], number[2]});
     if (element.name == "face") soup.face_end.push_back(soup.corners.size());
+    if (weighted) soup.face_weights.push_back(number[static_cast<std::size_t>(PlyRole::weight)]);
   }
 }
 
@@ -134,10 +163,14 @@ Soup read_body(const SourceFile& file, const PlyHeader& header) {
 
 }  // namespace
 
-Soup parse_ply(const SourceFile& file) {
-  const PlyHeader header = read_ply_header(file);
-  return header.encoding == PlyEncoding::ascii ? read_body<TextValues>(file, header)
-                                               : read_body<BinaryValues>(file, header);
+Soup parse_ply(const SourceFile& file) { return parse_weighted_ply(file, {}); }
+
+Soup parse_weighted_ply(const SourceFile& file, std::string_view weight_property) {
+  const PlyHeader header = read_ply_header(file, weight_property);
+  Soup soup = header.encoding == PlyEncoding::ascii ? read_body<TextValues>(file, header)
+                                                    : read_body<BinaryValues>(file, header);
+  note_unused_weights(header, soup);
+  return soup;
 }
 
 }  // namespace geodrome::input

@@ -10,6 +10,7 @@
 #include "engine/input/polygons.hpp"
 #include "engine/input/report.hpp"
 #include "engine/input/soup.hpp"
+#include "engine/input/weights.hpp"
 #include "geodrome/engine/input.hpp"
 
 namespace geodrome {
@@ -91,6 +92,7 @@ void drop_nonfinite(const SourceFile& file, const ReadOptions& options, Input& i
 }
 
 void make_cloud(const SourceFile& file, const ReadOptions& options, const Soup& soup, Input& input) {
+  if (!options.weights.empty()) reject_weights_of_points(file);
   if (soup.face_count() > 0)
     input.findings.push_back({Severity::note,
                               "faces_not_used",
@@ -137,7 +139,7 @@ void tell_of_faces(Polygons& polygons, Triangulated& faces, Input& input) {
          counted(faces.polygons_split, "polygon was", "polygons were") + " split into triangles.");
 }
 
-void make_mesh(const SourceFile& file, const ReadOptions& options, const Soup& soup, Input& input) {
+void make_mesh(const SourceFile& file, const ReadOptions& options, Soup& soup, Input& input) {
   for (std::size_t v = 0; v < input.positions.size(); ++v)
     if (!is_finite(input.positions[v]))
       reject(file, InputFault::nonfinite, "vertex " + std::to_string(v) + " (from 0) is not finite",
@@ -151,6 +153,7 @@ void make_mesh(const SourceFile& file, const ReadOptions& options, const Soup& s
   tell_of_faces(polygons, faces, input);
   input.triangles = std::move(faces.triangles);
   input.face_of_triangle = std::move(faces.face_of_triangle);
+  use_weights(file, options.weights, soup, input);
   check_mesh(polygons, input);
 }
 
@@ -177,7 +180,7 @@ Input check(const SourceFile& file, const ReadOptions& options, Soup soup) {
 Input read_input(const std::filesystem::path& path, const ReadOptions& options) {
   try {
     const SourceFile file = read_source(path);
-    return check(file, options, parse(file));
+    return check(file, options, parse(file, weight_choice(options.weights).property));
   } catch (const std::bad_alloc&) {
     throw InputError(InputFault::unsupported, path.string() + ": the file does not fit into memory");
   } catch (const std::length_error&) {

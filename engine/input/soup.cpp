@@ -57,13 +57,17 @@ Parser parser_by_name(const SourceFile& file) {
 
 }  // namespace
 
-Soup parse(const SourceFile& file) {
+Soup parse(const SourceFile& file, std::string_view weight_property) {
   reject_compressed(file);
   const Parser by_content = parser_by_content(file), by_name = parser_by_name(file);
   if (!by_content && !by_name)
     reject(file, InputFault::unsupported, "neither content nor name tells the format",
            "use OFF, OBJ, PLY, STL or XYZ, and the ending of the format in the file's name");
-  Soup soup = (by_content ? by_content : by_name)(file);
+  const Parser parser = by_content ? by_content : by_name;
+  if (!weight_property.empty() && parser != parse_ply)
+    reject(file, InputFault::unsupported, "only faces of PLY have properties such as " + quoted(weight_property),
+           "give the weights as a text file with one number a line for each face");
+  Soup soup = weight_property.empty() ? parser(file) : parse_weighted_ply(file, weight_property);
   if (by_content && by_name && by_content != by_name)
     soup.findings.push_back({Finding::Severity::note,
                              "format_by_content",

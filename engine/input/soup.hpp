@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/input/source_file.hpp"
@@ -18,6 +19,7 @@ struct Soup {
   std::vector<Vec3> positions;        ///< may be non-finite
   std::vector<Index> corners;         ///< of all faces, one after the other
   std::vector<std::size_t> face_end;  ///< per face: one past its last corner
+  std::vector<double> face_weights;   ///< per face, unchecked; empty if no property was asked for
   std::vector<Finding> findings;
 
   std::size_t face_count() const noexcept { return face_end.size(); }
@@ -27,8 +29,9 @@ struct Soup {
   }
 };
 
-/// Reads a file of the format that its content, or else its name, tells. Throws InputError.
-Soup parse(const SourceFile& file);
+/// Reads a file of the format that its content, or else its name, tells. `weight_property`: a property of the faces of
+/// a PLY file, for `Soup::face_weights`; empty: none. Throws InputError, also if the faces have no such property.
+Soup parse(const SourceFile& file, std::string_view weight_property = {});
 
 // One parser per format. Each throws InputError, naming the line or element, for what is not of the format.
 Soup parse_off(const SourceFile& file);
@@ -36,6 +39,9 @@ Soup parse_obj(const SourceFile& file);
 Soup parse_ply(const SourceFile& file);
 Soup parse_stl(const SourceFile& file);
 Soup parse_xyz(const SourceFile& file);
+
+/// A PLY file and the numbers of one property of its faces, which must be there if it has faces.
+Soup parse_weighted_ply(const SourceFile& file, std::string_view weight_property);
 
 /// The size is that of a binary STL with the announced number of facets.
 bool has_size_of_binary_stl(const SourceFile& file);

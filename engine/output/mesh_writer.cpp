@@ -62,7 +62,7 @@ std::string xyz_text(Positions positions) {
   return text;
 }
 
-std::string ply_bytes(Positions positions, Triangles triangles) {
+std::string ply_bytes(Positions positions, Triangles triangles, std::span<const double> weights = {}) {
   // Most readers know no unsigned indices.
   const bool fits_int = positions.size() <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
   std::string bytes = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(positions.size()) +
@@ -70,13 +70,15 @@ std::string ply_bytes(Positions positions, Triangles triangles) {
   if (!triangles.empty())
     bytes += "element face " + std::to_string(triangles.size()) + "\nproperty list uchar " +
              (fits_int ? "int" : "uint") + " vertex_indices\n";
+  if (!weights.empty()) bytes += "property double weight\n";
   bytes += "end_header\n";
-  bytes.reserve(bytes.size() + sizeof(Vec3) * positions.size() + 13 * triangles.size());
+  bytes.reserve(bytes.size() + sizeof(Vec3) * positions.size() + 13 * triangles.size() + 8 * weights.size());
   for (const Vec3& p : positions)
     for (const double coordinate : {p.x, p.y, p.z}) append_little_endian(bytes, coordinate);
-  for (const Triangle& t : triangles) {
+  for (std::size_t f = 0; f < triangles.size(); ++f) {
     bytes += '\3';
-    for (const Index v : t) append_little_endian(bytes, v);
+    for (const Index v : triangles[f]) append_little_endian(bytes, v);
+    if (!weights.empty()) append_little_endian(bytes, weights[f]);
   }
   return bytes;
 }
@@ -118,9 +120,11 @@ void write_mesh(const std::filesystem::path& file, const SurfaceMesh& mesh) {
   const std::string extension = lower_extension(file);
   const Positions positions = mesh.positions();
   const Triangles triangles = mesh.triangles();
+  if (extension == ".ply") return write_atomically(file, ply_bytes(positions, triangles, mesh.face_weights()));
+  if (!mesh.face_weights().empty())
+    throw OptionError(file.string() + ": only PLY holds the weights of the faces", "write .ply");
   if (extension == ".off") return write_atomically(file, off_text(positions, triangles));
   if (extension == ".obj") return write_atomically(file, obj_text(positions, triangles));
-  if (extension == ".ply") return write_atomically(file, ply_bytes(positions, triangles));
   if (extension == ".stl") return write_atomically(file, stl_bytes(file, positions, triangles));
   reject_ending(file, ".off, .obj, .ply, .stl");
 }

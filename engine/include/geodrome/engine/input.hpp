@@ -18,7 +18,14 @@ struct ReadOptions {
   std::optional<InputKind> as;  ///< default: a mesh if the file holds faces
   bool weld = false;            ///< merge vertices of a mesh at exactly the same place
   bool drop_nonfinite = false;  ///< drop points of a cloud that are not finite, instead of refusing
+  /// Weights of the faces of a mesh: "property:NAME", a property of the faces of a PLY file, or the name of a text file
+  /// with one number a line for each face of the file, in its order ('#' starts a comment); empty: all weigh 1. The
+  /// length of a path is its length in each face times the face's weight; along an edge the lowest weight of its faces.
+  std::string weights;
 };
+
+/// The file that the options name for weights; empty if they name none. Throws OptionError as `read_input`.
+std::filesystem::path weights_file(const ReadOptions& options);
 
 /// Counts of the input check, over the elements as used (after merging and dropping).
 struct InputFacts {
@@ -46,17 +53,22 @@ struct Input {
   std::vector<Index> element_of_row;     ///< row of the file -> entry of `positions`; no_index if dropped
   std::vector<Triangle> triangles;       ///< of a mesh: each with three different vertices
   std::vector<Index> face_of_triangle;   ///< triangle -> face in the file
+  std::vector<double> weights;           ///< of a mesh: per triangle that of its face; empty if none are given
+  std::string weights_from;              ///< as `ReadOptions::weights`
+  std::string weights_hash;              ///< of the numbers in `weights`; empty if there are none
   std::vector<Finding> findings;         ///< warnings and notes, told to the user; nothing here stops the run
   InputFacts facts;
 };
 
 /// Reads OFF, OBJ, PLY (ascii, both endians), STL (ascii, binary) or XYZ, the format told by the content where the content
 /// tells and by the name otherwise, and checks it. Polygons are split into triangles. Throws InputError, naming file and
-/// element (line, vertex or face, from 0), for what cannot be used. O(n log n).
+/// element (line, vertex or face, from 0), for what cannot be used, weights that are missing, not positive or not finite
+/// among it; OptionError for `options.weights` without a name. O(n log n).
 Input read_input(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// Writes OFF, OBJ, PLY (binary, double) or STL by the name's ending, so that reading gives the same numbers (STL: float).
-/// Throws InputError (io) if it cannot be written, OptionError for an unknown ending.
+/// Weights become the property "weight" of PLY. Throws InputError (io) if it cannot be written, OptionError for an
+/// unknown ending, or one that cannot hold the weights that the mesh has.
 void write_mesh(const std::filesystem::path& file, const SurfaceMesh& mesh);
 
 /// Writes points as XYZ, PLY or OFF by the name's ending. Errors as `write_mesh`.
