@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/report/face_weight.hpp"
 #include "geodrome/surface.hpp"
 
 namespace geodrome {
@@ -54,8 +55,8 @@ class CommonFace {
     return point;
   }
 
-  /// The straight distance of two points in a face that holds both; nothing if none does. O(the lowest degree of the
-  /// corners that p depends on).
+  /// What the straight way between two points costs in the cheapest face that holds both: its length times the face's
+  /// weight. Nothing if no face holds both. O(the lowest degree of the corners that p depends on).
   std::optional<double> straight(const SurfacePoint& p, const SurfacePoint& q) const {
     // A face that holds p holds each corner that p depends on: the one with the fewest faces is enough.
     std::span<const Index> faces;
@@ -64,14 +65,18 @@ class CommonFace {
       const std::span<const Index> there = faces_at(mesh_.triangles()[p.face][i]);
       if (faces.empty() || there.size() < faces.size()) faces = there;
     }
+    std::optional<double> cheapest;
     for (const Index face : faces) {
       const auto a = on_face(p, face), b = on_face(q, face);
-      if (a && b) return within(face, *a, *b);
+      if (!a || !b) continue;
+      const double cost = weight_of(mesh_, face) * within(face, *a, *b);
+      if (mesh_.face_weights().empty()) return cost;  // the same in every face
+      cheapest = std::min(cost, cheapest.value_or(cost));
     }
-    return std::nullopt;
+    return cheapest;
   }
 
-  /// The distance of two points of one face, from differences of coordinates: exact far from the origin too.
+  /// The distance in space of two points of one face, from differences of coordinates: exact far from the origin too.
   double within(Index face, const std::array<double, 3>& a, const std::array<double, 3>& b) const {
     const auto [p, q, r] = mesh_.corners(face);
     return norm((a[1] - b[1]) * (q - p) + (a[2] - b[2]) * (r - p));

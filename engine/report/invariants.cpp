@@ -48,7 +48,7 @@ std::vector<SampledRow> read_sample(const MatrixView& matrix, const InvariantOpt
 }
 
 /// Coordinates count too: a distance is not known better than the coordinates are rounded.
-double scale_of(const MatrixView& matrix, const std::vector<SampledRow>& sample) {
+double scale_of(const MatrixView& matrix, const std::vector<SampledRow>& sample, double smallest_weight) {
   double scale = 0;
   const auto include = [&](double length) {
     if (std::isfinite(length)) scale = std::max(scale, std::abs(length));
@@ -56,7 +56,8 @@ double scale_of(const MatrixView& matrix, const std::vector<SampledRow>& sample)
   for (const SampledRow& row : sample)
     for (const double distance : row.distances) include(distance);
   for (const auto points : {matrix.row_points, matrix.column_points})
-    for (const Vec3& p : points) include(p.x), include(p.y), include(p.z);
+    for (const Vec3& p : points)
+      for (const double coordinate : {p.x, p.y, p.z}) include(smallest_weight * coordinate);
   return scale;
 }
 
@@ -84,7 +85,7 @@ class Checker {
       result_.not_computed += std::isnan(d);
       if (has_distance) record(result_.computed, std::isnan(d) ? 1 : 0, source.row, column);
       if (!has_distance || std::isnan(d)) continue;
-      record(result_.euclid, excess(straight, d), source.row, column);
+      record(result_.euclid, excess(options_.smallest_weight * straight, d), source.row, column);
       if (matrix_.row_ids[source.row] == matrix_.column_ids[column])
         record(result_.identity, excess(std::abs(d), 0), source.row, column);
     }
@@ -137,7 +138,7 @@ Invariants check_invariants(const MatrixView& matrix, const InvariantOptions& op
   const std::vector<SampledRow> sample = read_sample(matrix, options);
   Invariants result;
   result.rows = sample.size();
-  result.scale = scale_of(matrix, sample);
+  result.scale = scale_of(matrix, sample, options.smallest_weight);
   Checker checker(matrix, options, result);
   for (const SampledRow& row : sample) checker.check_row(row);
   for (const SampledRow& s : sample)

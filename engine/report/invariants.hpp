@@ -27,10 +27,11 @@ struct MatrixView {
 };
 
 struct InvariantOptions {
-  double factor = 1;        ///< the solver's guarantee; +inf: symmetry and the triangle inequality are not expected
-  bool one_surface = true;  ///< false if the surface changes with the source: they are not expected either
-  bool bounded = true;      ///< false if nothing keeps distances from being below the straight line
-  bool float32 = false;     ///< how the entries are stored
+  double factor = 1;           ///< the solver's guarantee; +inf: symmetry and the triangle inequality are not expected
+  bool one_surface = true;     ///< false if the surface changes with the source: they are not expected either
+  bool bounded = true;         ///< false if nothing keeps distances from being below the straight line
+  double smallest_weight = 1;  ///< of the faces: distances are at least this times the straight line
+  bool float32 = false;        ///< how the entries are stored
   double radius = std::numeric_limits<double>::infinity();  ///< the cut-off beyond which entries are +inf
   std::uint64_t entries = std::uint64_t{1} << 22;           ///< sampled rows hold at most so many (at least 3 rows)
   std::uint64_t triples = 200'000;
@@ -53,10 +54,10 @@ struct InvariantCheck {
 struct Invariants {
   std::uint64_t rows = 0;                                     ///< sampled; all of them if the matrix is small
   std::uint64_t entries = 0, infinite = 0, not_computed = 0;  ///< in the sampled rows
-  double scale = 0;         ///< largest finite distance or coordinate in the sampled rows, units of the input
+  double scale = 0;         ///< largest finite distance, or coordinate times the smallest weight, in the sampled rows
   InvariantCheck computed;  ///< no NaN between points that have distances; worst is 1 where there is one
   InvariantCheck identity;  ///< D(s, s) is the start distance: |D(s, s) - start|
-  InvariantCheck euclid;    ///< not below the straight line: |st| - D(s, t)
+  InvariantCheck euclid;    ///< not below the straight line: smallest_weight |st| - D(s, t)
   InvariantCheck symmetry;  ///< D(s, t) - factor D(t, s)
   InvariantCheck triangle;  ///< D(s, u) - factor (D(s, t) + D(t, u))
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <mutex>
 
+#include "engine/report/face_weight.hpp"
 #include "engine/run/parallel_rows.hpp"
 #include "engine/run/stage_context.hpp"
 
@@ -162,8 +163,8 @@ std::vector<Vec3> points_of(std::span<const Query> queries) {
   return points;
 }
 
-Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const MatrixFile& file,
-                            std::span<const Query> sources, std::span<const Query> targets) {
+Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
+                            const MatrixFile& file, std::span<const Query> sources, std::span<const Query> targets) {
   const std::uint64_t rows_of_input = no_index;
   const auto row_ids = identities(sources, rows_of_input),
              column_ids = identities(targets, rows_of_input + sources.size());
@@ -175,6 +176,7 @@ Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver
   return check_invariants(view, {.factor = solver.plugin.factor,
                                  .one_surface = job.query == QueryRule::project,
                                  .bounded = job.query != QueryRule::printed,
+                                 .smallest_weight = smallest_weight(mesh),
                                  .float32 = job.scalar == ScalarType::float32,
                                  .radius = job.max_distance,
                                  .seed = job.settings.seed});
@@ -241,7 +243,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   result.counters = maker.counters();
   result.insertions = maker.insertions();
   result.reach = count_reaches(job, surfaces, file, sources);
-  result.invariants = check_invariants(job, solver, file, sources, targets);
+  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, targets);
   file.finish();
   return result;
 }

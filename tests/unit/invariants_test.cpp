@@ -85,6 +85,25 @@ TEST(Invariants, FindADistanceBelowTheStraightLine) {
   EXPECT_NEAR(result.euclid.worst * result.scale, straight * 0.001, 1e-12);
 }
 
+TEST(Invariants, AllowDistancesAsLowAsTheSmallestWeightTimesTheStraightLine) {
+  Cylinder cylinder(40);
+  for (double& entry : cylinder.entries) entry *= 0.25;
+  InvariantOptions options;
+  EXPECT_FALSE(cylinder.check(options).euclid.holds());
+  options.smallest_weight = 0.25;
+  EXPECT_TRUE(cylinder.check(options).holds());
+}
+
+TEST(Invariants, FindADistanceBelowTheSmallestWeightTimesTheStraightLine) {
+  Cylinder cylinder(40);
+  for (double& entry : cylinder.entries) entry *= 4;
+  cylinder.at(3, 9) = 3.9 * distance(cylinder.row_points[3], cylinder.column_points[9]);
+  InvariantOptions options;
+  EXPECT_TRUE(cylinder.check(options).euclid.holds());
+  options.smallest_weight = 4;
+  EXPECT_EQ(cylinder.check(options).euclid.violated, 1u);
+}
+
 TEST(Invariants, FindAnAsymmetricPair) {
   Cylinder cylinder(40);
   cylinder.at(5, 11) *= 1 + 1e-6;

@@ -20,7 +20,7 @@ struct AuditOptions {
 struct AuditResult {
   std::size_t faces = 0, pairs = 0, paths = 0;
   double scale = 0;            ///< the largest finite distance audited, in the units of the input
-  double worst_lipschitz = 0;  ///< max of D(x)/factor - D(y) - |xy| over pairs in a common face, over scale; at least 0
+  double worst_lipschitz = 0;  ///< max of D(x)/factor - D(y) - w |xy| over pairs in a common face, over scale; at least 0
   double worst_path = 0;       ///< max of |length of path + start - D| over scale, where path_is_distance is provided
   Index worst_lipschitz_face = no_index, worst_path_face = no_index;
   std::string where;  ///< one line for people about the worst place
@@ -30,7 +30,8 @@ struct AuditResult {
 /// distance at the sources is nowhere longer than the true distance; one whose every value is the length of a path is
 /// nowhere shorter. Checks both, at sampled points, through the map alone, and that it is a function: one value at an
 /// edge or a vertex, whichever face it is asked on. For a factor f the bound becomes D(x) <= f (D(y) + |xy|). `map`
-/// must come from a request with Keep::map and no radius. O(faces x samples x query).
+/// must come from a request with Keep::map and no radius. On a mesh with weights |xy| and lengths are weighted: by the
+/// weight w of the face, along an edge by the smallest of its faces. O(faces x samples x query).
 AuditResult audit(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map,
                   std::uint64_t provides, const AuditOptions& options);
 
