@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/report/json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace geodrome {
@@ -46,6 +47,12 @@ Json to_json(const OptionInfo& option) {
   json["unit"] = option.unit;
   json["help"] = option.help;
   return json;
+}
+
+Json weights_json(const Input& input) {
+  if (input.weights.empty()) return nullptr;
+  const auto [smallest, largest] = std::ranges::minmax(input.weights);
+  return {{"from", input.weights_from}, {"hash", input.weights_hash}, {"smallest", smallest}, {"largest", largest}};
 }
 
 }  // namespace
@@ -95,6 +102,7 @@ Json to_json(const Input& input) {
   if (input.kind == InputKind::mesh)
     json.update(Json{{"faces_in_file", f.faces_in_file},
                      {"triangles", input.triangles.size()},
+                     {"weights", weights_json(input)},
                      {"polygons_split", f.polygons_split},
                      {"degenerate_faces_dropped", f.degenerate_faces_dropped},
                      {"zero_area_faces", f.zero_area_faces},

@@ -4,6 +4,7 @@
 
 #include "engine/report/finding_text.hpp"
 #include "engine/report/sample_report.hpp"
+#include "engine/report/weights_text.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -33,6 +34,7 @@ void print(const Input& input, std::ostream& out) {
       << (mesh ? " vertices, " : " points, ");
   if (mesh) print_mesh(input, out);
   out << "diagonal " << input.facts.bounding_box_diagonal << "\n";
+  if (!input.weights.empty()) out << "weights    " << weights_text(input) << "\n";
   print(input.findings, out);
 }
 

@@ -35,8 +35,10 @@ void check_place(const fs::path& file) {
 
 }  // namespace
 
-std::vector<fs::path> files_read(const fs::path& input, std::span<const std::string> selections) {
+std::vector<fs::path> files_read(const fs::path& input, const ReadOptions& options,
+                                 std::span<const std::string> selections) {
   std::vector<fs::path> files{input};
+  if (fs::path weights = weights_file(options); !weights.empty()) files.push_back(std::move(weights));
   for (const std::string& selection : selections)
     if (selection.starts_with('@') && selection.size() > 1) files.emplace_back(selection.substr(1));
   return files;
@@ -49,6 +51,12 @@ void check_ending(const fs::path& file, std::initializer_list<const char*> endin
     valid += (valid.empty() ? "" : ", ") + std::string(ending);
   }
   throw OptionError(file.string() + ": the name must end in " + valid);
+}
+
+void check_mesh_ending(const fs::path& file, const ReadOptions& options) {
+  check_ending(file, {".ply", ".off", ".obj", ".stl"});
+  if (!options.weights.empty() && !file.empty() && file.extension() != ".ply")
+    throw OptionError(file.string() + ": only PLY holds the weights of the faces", "write .ply");
 }
 
 void check_outputs(std::span<const fs::path> outputs, std::span<const fs::path> read) {

@@ -7,14 +7,19 @@
 #include <string>
 #include <vector>
 
+#include "geodrome/engine/input.hpp"
+
 namespace geodrome {
 
-/// The files that a run reads: its input and those that selections name as '@FILE'.
-std::vector<std::filesystem::path> files_read(const std::filesystem::path& input,
+/// The files that a run reads: its input, its weights and those that selections name as '@FILE'.
+std::vector<std::filesystem::path> files_read(const std::filesystem::path& input, const ReadOptions& options,
                                               std::span<const std::string> selections);
 
 /// Throws OptionError if a file's name, if there is one, has none of the endings.
 void check_ending(const std::filesystem::path& file, std::initializer_list<const char*> endings);
+
+/// Throws OptionError as `check_ending` for the name of a mesh, which must be .ply if it is read with weights.
+void check_mesh_ending(const std::filesystem::path& file, const ReadOptions& options);
 
 /// Finds mistakes in the names of the files to be written that would otherwise show after all is computed; empty names
 /// are left out. Throws InputError for a folder that is missing or may not be written and for what is no regular file,

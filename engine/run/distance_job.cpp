@@ -41,6 +41,7 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   const ReadOptions& read = job.settings.read;
   json["as"] = opened.input.kind == InputKind::mesh ? "mesh" : "points";
   json["weld"] = read.weld, json["drop_nonfinite"] = read.drop_nonfinite;
+  json["weights"] = opened.input.weights.empty() ? "none" : opened.input.weights_hash;
   for (const StageRecord& stage : opened.surface.stages) json[stage.plugin.stage] = chosen(stage);
   json["solver"] = chosen(solver.record);
   json["query"] = name(job.query), json["max_distance"] = to_json(job.max_distance);
@@ -64,10 +65,10 @@ void check_job(const DistanceJob& job) {
   check_ending(job.matrix, {".npy", ".csv"});
   check_ending(job.nearest, {".csv"});
   check_ending(job.report, {".json"});
-  check_ending(job.surface, {".ply", ".off", ".obj", ".stl"});
+  check_mesh_ending(job.surface, job.settings.read);
   const std::filesystem::path outputs[] = {job.matrix, job.nearest, job.report, job.surface};
   const std::string selections[] = {job.sources, job.targets};
-  check_outputs(outputs, files_read(job.input, selections));
+  check_outputs(outputs, files_read(job.input, job.settings.read, selections));
 }
 
 }  // namespace

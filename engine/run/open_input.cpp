@@ -17,7 +17,10 @@ void tell(const std::vector<Finding>& findings, Observer& observer) {
 }
 
 /// That a mesh has a boundary or several components is no news to whoever made it: `check` and the report say so.
-bool is_no_news(const Finding& finding) { return finding.severity == Finding::Severity::note; }
+/// That its weights do not count may be.
+bool is_no_news(const Finding& finding) {
+  return finding.severity == Finding::Severity::note && finding.code != "weights_not_used";
+}
 
 /// A mesh needs none of stages 1 to 4: whoever chose plugins for them should know that they do not run.
 void tell_unused(const StageChoice& chosen, Observer& observer) {

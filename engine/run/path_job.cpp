@@ -4,6 +4,7 @@
 
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/number_text.hpp"
+#include "engine/report/common_face.hpp"
 #include "engine/report/json.hpp"
 #include "engine/run/check_outputs.hpp"
 #include "engine/run/query_rule.hpp"
@@ -68,14 +69,32 @@ Format format_of(const std::filesystem::path& file) {
   throw OptionError(file.string() + ": a path is written as .obj, .csv or .json");
 }
 
+/// The length of a polyline, weighted where the mesh has weights: there only the faces that hold a step tell its cost.
+double length_of(const PathResult& path, const SurfaceMesh& mesh) {
+  double length = 0;
+  if (mesh.face_weights().empty()) {
+    for (std::size_t i = 1; i < path.positions.size(); ++i)
+      length += distance(path.positions[i - 1], path.positions[i]);
+    return length;
+  }
+  const CommonFace common(mesh);
+  for (std::size_t i = 1; i < path.points.size(); ++i) {
+    const auto step = common.straight(path.points[i - 1], path.points[i]);
+    if (!step)
+      throw NumericalError("gave a path with a step that lies in no face",
+                           "choose another solver, and report this to the author of the plugin");
+    length += *step;
+  }
+  return length;
+}
+
 /// The vertices of a path from `to` to `from`, turned round.
 void trace(const PreparedSolver& solver, const ShortestPathMap& map, const Query& to, const SurfaceMesh& mesh,
            PathResult& result) {
   cross_boundary(solver.plugin.info, [&] { map.path(to.place.at, result.points); });
   std::reverse(result.points.begin(), result.points.end());
   for (const SurfacePoint& point : result.points) result.positions.push_back(mesh.position(point));
-  for (std::size_t i = 1; i < result.positions.size(); ++i)
-    result.length += distance(result.positions[i - 1], result.positions[i]);
+  result.length = cross_boundary(solver.plugin.info, [&] { return length_of(result, mesh); });
 }
 
 PathResult find_path(const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
@@ -105,7 +124,7 @@ PathResult run_path(const PathJob& job, Observer& observer) {
                       "say --query insert, or leave it out");
   const Format format = job.out.empty() ? nullptr : format_of(job.out);
   const std::string selections[] = {job.from, job.to};
-  check_outputs({&job.out, 1}, files_read(job.input, selections));
+  check_outputs({&job.out, 1}, files_read(job.input, job.settings.read, selections));
   const PluginHost host(job.settings.plugin_path);
   const Opened opened = open_input(job.input, host, job.settings, observer);
   const Query from = select_one(job.from, "--from", opened), to = select_one(job.to, "--to", opened);

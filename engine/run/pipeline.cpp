@@ -64,6 +64,8 @@ void check(const Reconstruction& made, std::size_t n, const PluginInfo& plugin) 
   for (const Index s : made.sample_of_vertex)
     demand(s == no_index || s < n, plugin, "a sample point that is not there");
   demand(made.mesh->manifold() && made.mesh->oriented(), plugin, "a surface that is no oriented 2-manifold");
+  // D >= |st| would not hold there, and nobody asked for them.
+  demand(made.mesh->face_weights().empty(), plugin, "a surface with weights");
 }
 
 Place place_of_vertex(const SurfaceMesh& mesh, Index vertex) {
@@ -77,7 +79,7 @@ Surface surface_of_mesh(const Input& input) {
   surface.made_from = InputKind::mesh;
   if (input.triangles.empty())
     throw InputError(InputFault::degenerate, input.file.string() + ": no face with an area is left");
-  surface.mesh = std::make_shared<const SurfaceMesh>(input.positions, input.triangles);
+  surface.mesh = std::make_shared<const SurfaceMesh>(input.positions, input.triangles, input.weights);
   for (const Index vertex : input.element_of_row) surface.places.push_back(place_of_vertex(*surface.mesh, vertex));
   return surface;
 }
@@ -193,6 +195,22 @@ void check_needs(const PluginInfo& plugin, const SurfaceMesh& mesh) {
                         "repair the mesh, or choose a solver that needs less ('geodrome plugins show NAME' tells)");
 }
 
+/// The solvers that measure with weights, as a remedy. It tries every plugin, which takes seconds at worst.
+std::string weighted_solvers(const PluginHost& host) {
+  std::string names;
+  for (const PluginInfo& plugin : host.list().usable)
+    if (plugin.stage == ShortestPathSolver::stage && (plugin.provides & weights))
+      names += (names.empty() ? "" : ", ") + plugin.name;
+  return names.empty() ? "no solver that is there does; leave the weights out" : "solvers that do: " + names;
+}
+
+/// Throws CapabilityError if the mesh has weights that the plugin would pass over.
+void check_weights(const PluginInfo& plugin, const SurfaceMesh& mesh, const PluginHost& host) {
+  if (mesh.face_weights().empty() || (plugin.provides & weights)) return;
+  throw CapabilityError(plugin.full_name() + " does not measure with weights of faces (weights)",
+                        weighted_solvers(host));
+}
+
 }  // namespace
 
 unsigned thread_count(const RunSettings& settings) {
@@ -216,6 +234,7 @@ PreparedSolver prepare_solver(MeshPtr mesh, const PluginHost& host, const std::s
   PreparedSolver solver;
   solver.plugin = host.load<ShortestPathSolver>(selection);
   check_needs(solver.plugin.info, *mesh);
+  check_weights(solver.plugin.info, *mesh, host);
   StageContext context(ShortestPathSolver::stage, observer, thread_count(settings), settings.seed);
   const Stopwatch watch;
   solver.prepared = solver.plugin.call([&](const ShortestPathSolver& stage) { return stage.prepare(mesh, context); });

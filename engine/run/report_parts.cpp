@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "engine/report/weights_text.hpp"
 #include "geodrome/engine/version.hpp"
 
 namespace geodrome {
@@ -21,6 +22,7 @@ Json stages_json(const std::vector<StageRecord>& stages) {
 void summarize_surface(const Input& input, const SurfaceFacts& surface, std::ostream& out) {
   out << "input      " << input.file.string() << ": " << input.facts.rows
       << (input.kind == InputKind::mesh ? " vertices" : " points") << "\n";
+  if (!input.weights.empty()) out << "weights    " << weights_text(input) << "\n";
   out << "surface    " << surface.vertices << " vertices, " << surface.faces << " faces, "
       << (surface.closed ? "closed" : "bordered") << ", " << surface.components
       << (surface.components == 1 ? " component" : " components");

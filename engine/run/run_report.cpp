@@ -70,6 +70,8 @@ Json to_json(const AuditSummary& audit) {
 /// wavefront that is lost, or a path that is not shortest, shows by far more.
 constexpr double audit_tolerance = 1e-9;
 
+bool is_weighted(const RunRecord& record) { return !record.opened.input.weights.empty(); }
+
 /// What the checks found that may not be, one line each.
 std::vector<std::string> broken_promises(const RunRecord& record) {
   std::vector<std::string> broken;
@@ -81,9 +83,11 @@ std::vector<std::string> broken_promises(const RunRecord& record) {
     demand(reach.missed == 0, std::to_string(reach.missed) + " distances within a component are inf");
     demand(reach.impossible == 0, std::to_string(reach.impossible) + " distances between components are numbers");
     const Invariants& i = record.matrix->invariants;
+    const char* least = is_weighted(record) ? "the smallest weight times " : "";
     demand(i.computed.holds(), std::to_string(i.computed.violated) + " distances are nan");
     demand(i.identity.holds(), std::to_string(i.identity.violated) + " points are not at distance 0 from themselves");
-    demand(i.euclid.holds(), std::to_string(i.euclid.violated) + " distances are shorter than the straight line");
+    demand(i.euclid.holds(),
+           std::to_string(i.euclid.violated) + " distances are shorter than " + least + "the straight line");
     demand(i.symmetry.holds(), std::to_string(i.symmetry.violated) + " pairs have two distances");
     demand(i.triangle.holds(), std::to_string(i.triangle.violated) + " triples break the triangle inequality");
   }
@@ -109,7 +113,8 @@ Json run_json(const RunRecord& record) {
 }
 
 /// The invariants that the rule promises.
-const char* promised_by(QueryRule rule) {
+const char* promised_by(QueryRule rule, bool weighted) {
+  if (weighted) return "D >= smallest weight x Euclid, D(s,s), symmetry, triangle inequality, reach";
   switch (rule) {
     case QueryRule::insert:
       return "D >= Euclid, D(s,s), reach; symmetry and the triangle inequality are not promised by --query insert";
@@ -120,19 +125,19 @@ const char* promised_by(QueryRule rule) {
   }
 }
 
-void summarize_matrix(const DistanceJob& job, const MatrixResult& m, std::ostream& out) {
+void summarize_matrix(const DistanceJob& job, const MatrixResult& m, bool weighted, std::ostream& out) {
   out << "matrix     " << job.matrix.string() << ": " << m.rows << " x " << m.columns << " in " << m.seconds << " s; "
       << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
       << m.reach.not_computed << " not computed\n";
   const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
-  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(job.query)
-      << ")\n";
+  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " ("
+      << promised_by(job.query, weighted) << ")\n";
 }
 
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
   out.precision(4);
   summarize_provenance(record.opened.input, surface, record.solver, out);
-  if (record.matrix) summarize_matrix(record.job, *record.matrix, out);
+  if (record.matrix) summarize_matrix(record.job, *record.matrix, is_weighted(record), out);
   if (record.nearest)
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
         << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "

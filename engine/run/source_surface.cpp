@@ -32,6 +32,7 @@ void check(const Inserted& got, const MeshPtr& old, const PluginInfo& plugin) {
              std::equal(old->positions().begin(), old->positions().end(), mesh.positions().begin()),
          "other vertices than the old ones and the new one");
   demand(mesh.manifold() && mesh.oriented(), "a surface that is no oriented 2-manifold");
+  demand(mesh.face_weights().empty(), "a surface with weights");
   demand(mesh.closed() == old->closed(), "a surface with a boundary where there was none, or without the one it had");
 }
 

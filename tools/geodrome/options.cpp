@@ -42,6 +42,12 @@ void add_read_options(CLI::App& command, ReadOptions& read) {
       ->check(CLI::IsMember({"points", "mesh"}))
       ->type_name("KIND");
   command.add_flag("--weld", read.weld, "Merge mesh vertices that are at exactly the same place");
+  command
+      .add_option("--weights", read.weights,
+                  "Weights of the faces: property:NAME of a PLY file, or a text file with one number a line for each "
+                  "face of the input. Paths cost their length times the weight; needs a solver that provides weights")
+      ->check([](const std::string& text) { return std::string(text.empty() ? "it names nothing" : ""); })
+      ->type_name("WEIGHTS");
   command.add_flag("--drop-nonfinite", read.drop_nonfinite,
                    "Drop points that are NaN or infinite (their distances are NaN)");
 }

@@ -20,8 +20,8 @@ struct Arguments {
 };
 
 int run(const Arguments& arguments) {
-  check_ending(arguments.out, {".ply", ".off", ".obj", ".stl"});
-  check_outputs({&arguments.out, 1}, {&arguments.input, 1});
+  check_mesh_ending(arguments.out, arguments.settings.read);
+  check_outputs({&arguments.out, 1}, files_read(arguments.input, arguments.settings.read, {}));
   const MeshPtr mesh = with_console(arguments.quiet, [&](Console& console) {
     const PluginHost host(arguments.settings.plugin_path);
     return open_input(arguments.input, host, arguments.settings, console).surface.mesh;

@@ -104,7 +104,7 @@ struct PathJob {
 /// vertex, on which faces that stayed should have kept their index.
 struct PathResult {
   double distance = 0;  ///< max(surface distance, |st|) for a cloud
-  double length = 0;    ///< of the polyline
+  double length = 0;    ///< of the polyline, weighted by the faces that it crosses if they have weights
   std::vector<SurfacePoint> points;
   std::vector<Vec3> positions;
 };

@@ -97,7 +97,7 @@ struct PreparedSolver {
 };
 
 /// Loads `selection` and prepares `mesh`. Throws CapabilityError, naming what is missing, if the mesh lacks what the
-/// solver needs.
+/// solver needs, or has weights that the solver does not provide.
 PreparedSolver prepare_solver(MeshPtr mesh, const PluginHost& host, const std::string& selection,
                               const RunSettings& settings, Observer& observer);
 

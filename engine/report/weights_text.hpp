@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+#include "geodrome/engine/input.hpp"
+
+namespace geodrome {
+
+/// Range and origin of the weights for people: "0.5 to 4, from property:cost". Precondition: there are some.
+inline std::string weights_text(const Input& input) {
+  const auto [smallest, largest] = std::ranges::minmax(input.weights);
+  std::ostringstream text;
+  text.precision(4);
+  text << smallest << " to " << largest << ", from " << input.weights_from;
+  return text.str();
+}
+
+}  // namespace geodrome
