@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver_aleksandrov/direct_way.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace geodrome::aleksandrov {
@@ -17,7 +18,9 @@ class Turn {
     vertex_ = graph_.corner(corner).vertex;
     faces_left_ = graph_.corners_at(vertex_).size();
     leave(corner, true, {from.x, -from.y});
-    leave(SurfaceMesh::previous(corner), false, rotated(corner, from, -1));
+    Point2 over = rotated(corner, from, -1);
+    over.y = std::min(over.y, 0.0);  // on that leg rounding may put it beyond
+    leave(SurfaceMesh::previous(corner), false, over);
   }
 
  private:

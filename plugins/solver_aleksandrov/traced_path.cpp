@@ -164,14 +164,17 @@ void TracedPath::from_node(Index node, const SurfacePoint& at) { add(find(at, no
 
 double TracedPath::length_to_node(const SurfacePoint& at, Index node) const { return find(at, node).distance; }
 
+// As the search went, from there to here: rounding may hide the way from its other end.
 void TracedPath::direct(const SurfacePoint& from, const SurfacePoint& to) {
+  const std::vector<DirectWay::Crossing> crossings = direct_way(graph(), to, from).crossings;
   Index face = from.face;
   Barycentric start = from.b;
-  for (const auto& [h, g, x] : direct_way(graph(), from, to).crossings) {
+  for (auto crossing = crossings.rbegin(); crossing != crossings.rend(); ++crossing) {
+    const auto& [g, h, x] = *crossing;
     const double length = graph().corner(h).length;
     const bool same = graph().corner(g).forward == graph().corner(h).forward;
-    segments_.push_back({face, start, on_edge(h, length, x)});
-    face = g / 3, start = on_edge(g, length, same ? x : length - x);
+    segments_.push_back({face, start, on_edge(h, length, same ? x : length - x)});
+    face = g / 3, start = on_edge(g, length, x);
   }
   segments_.push_back({face, start, to.b});
 }
