@@ -62,7 +62,7 @@ class Refiner {
     const int i = static_cast<int>(std::min_element(face.length, face.length + 3) - face.length), apex = (i + 2) % 3;
     const double sine = face.cosine[apex] > 0 ? face.sine[apex] : 1;
     if (sine >= least_sine_) return {1, f};
-    if (face.length[i] < smallest_share * scale_of(f)) return {1, f};
+    if (face.length[i] < std::max(smallest_share * scale_of(f), no_length)) return {1, f};
     return {is_sharp(3 * f + static_cast<Index>(apex)) ? 1 : sine, f};
   }
 
@@ -156,6 +156,8 @@ class Refiner {
 
   /// Around a vertex with a small total angle circles overlap themselves, and refinement would not end.
   static constexpr double smallest_share = 1.0 / 32;
+  /// Shorter than this is made of rounding where the mean edge is about 1, and refinement would follow that for ever.
+  static constexpr double no_length = 1e-12;
   static constexpr double sharp = std::numbers::pi / 3;
   static constexpr double flat_cosine = -0.999, least_sine = 1e-15;
 
