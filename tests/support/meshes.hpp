@@ -171,6 +171,27 @@ inline MeshPtr moebius(Index n) {
   return make(p, t);
 }
 
+/// The mesh with a third face, of a new vertex, on the first edge of every `apart`-th of its faces: not manifold.
+inline MeshPtr finned(const MeshPtr& mesh, std::size_t apart) {
+  std::vector<Vec3> p(mesh->positions().begin(), mesh->positions().end());
+  std::vector<Triangle> t(mesh->triangles().begin(), mesh->triangles().end());
+  for (Index f = 0; f < mesh->face_count(); f += static_cast<Index>(apart)) {
+    const auto [a, b, c] = mesh->corners(f);
+    t.push_back({mesh->triangles()[f][0], mesh->triangles()[f][1], static_cast<Index>(p.size())});
+    p.push_back(0.4 * a + 0.6 * b + 0.7 * cross(b - a, c - a) / norm(b - a));
+  }
+  return make(p, t);
+}
+
+/// Every position moved by up to `by` in each coordinate, with a seed.
+inline MeshPtr shaken(const MeshPtr& mesh, double by, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  return mapped(mesh, [&](const Vec3& p) {
+    const double x = uniform(random), y = uniform(random), z = uniform(random);
+    return p + by * Vec3{2 * x - 1, 2 * y - 1, 2 * z - 1};
+  });
+}
+
 /// Some seeded point of the surface: inside a face, on an edge or at a vertex.
 inline SurfacePoint random_point(const SurfaceMesh& mesh, std::mt19937_64& random) {
   SurfacePoint point{static_cast<Index>(random() % mesh.face_count()), {}};
