@@ -91,6 +91,21 @@ Joint through_vertex_or_third_face(const FlatSurface& surface, const Piece& befo
   return joint;
 }
 
+/// Where a vertex lies on an edge: over the edge, through the face without area between both, to the vertex.
+Joint through_vertex_on_edge(const FlatSurface& surface, const SurfacePoint& on_edge, const SurfacePoint& at_vertex) {
+  Joint joint;
+  for (Index h = 3 * on_edge.face; h < 3 * on_edge.face + 3; ++h)
+    surface.for_each_across(h, [&](Index g, bool) {
+      for (Index k = 3 * at_vertex.face; k < 3 * at_vertex.face + 3; ++k) {
+        if (surface.from(SurfaceMesh::previous(g)) != surface.from(k)) continue;
+        const OnEdge here = nearest_on_edge(surface, h, on_edge.b);
+        const auto [x, y] = surface.in_frame(k, at_vertex.b);
+        joint.improve(here.distance + std::hypot(x, y), {here.point, surface.point_on(k, 0)});
+      }
+    });
+  return joint;
+}
+
 }  // namespace
 
 /// A straight way from a place, p in the frame of half-edge h, to a node: within the face, or through the edge of h and
@@ -203,6 +218,11 @@ void TracedPath::append_joint(const Piece& before, const Piece& after, std::vect
   if (!(joint.distance <= close)) {
     Joint other = through_vertex_or_third_face(surface, before, after);
     joint.improve(other.distance, std::move(other.points));
+    const SurfacePoint end{before.triangle, before.to}, start{after.triangle, after.from};
+    Joint onto = through_vertex_on_edge(surface, end, start), off = through_vertex_on_edge(surface, start, end);
+    std::reverse(off.points.begin(), off.points.end());
+    joint.improve(onto.distance, std::move(onto.points));
+    joint.improve(off.distance, std::move(off.points));
   }
   for (const SurfacePoint& point : joint.points) out.push_back(surface.original(point));
 }
