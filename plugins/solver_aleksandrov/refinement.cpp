@@ -156,8 +156,8 @@ class Refiner {
 
   /// Around a vertex with a small total angle circles overlap themselves, and refinement would not end.
   static constexpr double smallest_share = 1.0 / 32;
-  /// Shorter than this is made of rounding where the mean edge is about 1, and refinement would follow that for ever.
-  static constexpr double no_length = 1e-12;
+  /// Shorter than what edges without length are given is made of rounding, and refinement would follow that for ever.
+  static constexpr double no_length = 9e-15;
   static constexpr double sharp = std::numbers::pi / 3;
   static constexpr double flat_cosine = -0.999, least_sine = 1e-15;
 

@@ -26,13 +26,12 @@ struct Listed {
   Pairs& pairs;
 
   void via(Index, Point2, Index) const {}
-  void vertex(Index corner, double length) const {
-    pairs[{node, graph.corner(corner).vertex}].push_back({length, true});
-  }
+  void vertex(Index corner, double length) const { point(graph.corner(corner).vertex, length); }
   void strip(const SteinerGraph::Strip& s) const {
-    for (Index to = s.first; to < s.last; ++to)
-      pairs[{node, to}].push_back({SteinerGraph::length(s, graph.distances()[to]), true});
+    for (Index to = s.first; to < s.last; ++to) point(to, SteinerGraph::length(s, graph.distances()[to]));
   }
+  bool wants(Index, double) const { return true; }
+  void point(Index to, double length) const { pairs[{node, to}].push_back({length, true}); }
 };
 
 /// What geometry says, by trying every pair of nodes of faces on an edge.
