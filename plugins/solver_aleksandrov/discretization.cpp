@@ -31,6 +31,16 @@ IntrinsicTriangulation triangulated(const FlatSurface& surface, const Settings& 
   return edges(refined, settings) < edges(flipped, settings) ? refined : flipped;
 }
 
+/// Straight to the side opposite to corner i, if that is within `close`; false if not, or if it would miss the side.
+bool move_to_side(const IntrinsicTriangulation::Face& face, int i, double close, Barycentric& b) {
+  const int j = (i + 1) % 3, k = (i + 2) % 3;
+  if (b[i] * face.length[i] * face.sine[j] > close) return false;
+  const double share = b[k] + b[i] * face.length[i] * face.cosine[j] / face.length[j];
+  if (!(share >= 0 && share <= 1)) return false;
+  b[i] = 0, b[j] = 1 - share, b[k] = share;
+  return true;
+}
+
 }  // namespace
 
 Discretization::Discretization(const FlatSurface& surface, const Settings& settings, const RunContext& context)
@@ -41,14 +51,15 @@ Discretization::Discretization(const FlatSurface& surface, const Settings& setti
 SurfacePoint Discretization::located(const SurfacePoint& flat) const {
   SurfacePoint at = triangulation_.located(flat);
   const auto& face = triangulation_.face(at.face);
-  const double size = *std::max_element(face.length, face.length + 3);
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double height = face.length[i] * face.sine[(i + 1) % 3];
-    if (at.b[i] * height <= on_edge * size && at.b[i] < 0.5) at.b[i] = 0;
-    sum += at.b[i];
-  }
-  for (double& b : at.b) b /= sum;
+  const double close = on_edge * *std::max_element(face.length, face.length + 3);
+  int side = static_cast<int>(std::find(at.b.begin(), at.b.end(), 0.0) - at.b.begin());
+  for (int i = 0; i < 3 && side == 3; ++i)
+    if (move_to_side(face, i, close, at.b)) side = i;
+  if (side == 3) return at;
+  // Only along the side: in a face without area all places are near all sides.
+  const int j = (side + 1) % 3, k = (side + 2) % 3;
+  for (const int end : {j, k})
+    if (at.b[end] * face.length[j] <= close && at.b[end] < 0.5) at.b[end] = 0, at.b[end == j ? k : j] = 1;
   return at;
 }
 

@@ -42,9 +42,12 @@ inline Barycentric barycentric(const Triangle2& t, Point2 p) {
   if (longest <= 0) return {1, 0, 0};
   const Point2 origin = t[base], along = (1 / longest) * (t[(base + 1) % 3] - origin);
   const Point2 apex = t[(base + 2) % 3] - origin, q = p - origin;
-  const double height = cross(along, apex);
-  const double top = height > 0 ? std::clamp(cross(along, q) / height, 0.0, 1.0) : 0;
-  const double second = std::clamp((dot(along, q) - top * dot(along, apex)) / longest, 0.0, 1 - top);
+  const double height = cross(along, apex), foot = std::clamp(dot(along, apex), 0.0, longest);
+  const double x = std::clamp(dot(along, q), 0.0, longest);
+  // No higher than the triangle is there: in one without area heights are rounding, and places along it are not.
+  const double most = x < foot ? x / foot : x > foot ? (longest - x) / (longest - foot) : 1;
+  const double top = height > 0 ? std::clamp(cross(along, q) / height, 0.0, most) : 0;
+  const double second = std::clamp((x - top * foot) / longest, 0.0, 1 - top);
   Barycentric b;
   b[base] = 1 - top - second, b[(base + 1) % 3] = second, b[(base + 2) % 3] = top;
   return b;

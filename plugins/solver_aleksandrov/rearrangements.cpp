@@ -14,16 +14,8 @@ int corner_at(const Rearrangement::Piece& piece, int point) {
   return -1;
 }
 
-/// How far inside a triangle a point is: its distance from the nearest side, negative outside.
-double depth(const Triangle2& t, Point2 p) {
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
-    const Point2 side = t[(i + 1) % 3] - t[i];
-    const double size = length(side);
-    if (size > 0) least = std::min(least, cross(side, p - t[i]) / size);
-  }
-  return least;
-}
+/// How far from a triangle a point is, about.
+double distance_from(const Triangle2& t, Point2 p) { return length(place(t, barycentric(t, p)) - p); }
 
 /// The coordinates on another piece, without rounding where all corners that count are its own; false if not.
 bool keep_corners(const Rearrangement::Piece& from, const Rearrangement::Piece& to, const Barycentric& b,
@@ -69,14 +61,14 @@ Place Rearrangements::locate(Place at) const {
     const auto& from = change.before[change.before[0].triangle == at.triangle ? 0 : 1];
     const Point2 p = place(layout_of(change, from), at.b);
     const Rearrangement::Piece* best = nullptr;
-    double deepest = -std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();
     Barycentric kept;
     for (const auto& piece : change.after) {
       if (piece.triangle == no_index) continue;
-      const double inside = depth(layout_of(change, piece), p);
+      const double away = distance_from(layout_of(change, piece), p);
       // A point on an edge that stays is where the edge is, whatever rounding says.
       const bool stays = keep_corners(from, piece, at.b, kept);
-      if (stays || !best || inside > deepest) best = &piece, deepest = inside;
+      if (stays || !best || away < nearest) best = &piece, nearest = away;
       if (stays) break;
     }
     at = {best->triangle, carry(change, from, *best, at.b)};

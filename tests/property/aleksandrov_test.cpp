@@ -291,6 +291,16 @@ TEST_P(AleksandrovFactor, HoldsOnHostileMeshes) {
   EXPECT_GE(judged, 9) << "too few are small enough";
 }
 
+/// Three vertices in line: all places of a face are within rounding of all its sides.
+TEST_P(AleksandrovFactor, HoldsOnFacesWithoutArea) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_promises(share(shapes::collapsed_faces(10, seed)), GetParam(), 1, seed);
+    const bool done = expect_promises(share(shapes::collapsed_faces(13, seed)), GetParam(), 1, seed);
+    EXPECT_TRUE(done || std::get<1>(GetParam()) == "as_is");
+  }
+}
+
 std::string way_name(const testing::TestParamInfo<Way>& info) {
   return std::get<0>(info.param) + "_" + std::get<1>(info.param);
 }

@@ -121,6 +121,17 @@ TEST(IntrinsicTriangulation, OnlyEdgesThatTwoFacesOrientedAlikeShareAreFlat) {
   EXPECT_EQ(mirrored, 2);  // are not the one where the strip closes
 }
 
+/// The height is rounding: it must not take a place along the triangle.
+TEST(Barycentric, NameThePlaceInTrianglesWithoutArea) {
+  Random random(7);
+  for (int n = 0; n < 10000; ++n) {
+    const double apex = random.uniform(), height = std::pow(10, -random.uniform(14, 18));
+    const Triangle2 t{Point2{0, 0}, Point2{1, 0}, Point2{apex, height}};
+    const Point2 p{random.uniform(), 1e-16 * random.uniform(-1, 1)};
+    ASSERT_LE(length(place(t, barycentric(t, p)) - p), 2e-14) << apex << " " << height << " " << p.x;
+  }
+}
+
 // ---- located, restored
 
 Vec3 in_space(const FlatSurface& surface, Index face, const Barycentric& b) {
