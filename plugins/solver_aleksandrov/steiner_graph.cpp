@@ -6,8 +6,8 @@
 namespace geodrome::aleksandrov {
 namespace {
 
-/// 2^31 nodes take 50 GB and more in a search.
-constexpr double most_nodes = 2147483648.0;
+/// A search over 2^28 nodes takes about 11 GB.
+constexpr double most_nodes = 268435456.0;
 
 std::string shown(double count) {
   char text[32];
