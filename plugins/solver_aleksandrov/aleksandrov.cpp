@@ -4,7 +4,7 @@
 #include <limits>
 #include <utility>
 
-#include "common/solvers/exact_search.hpp"
+#include "common/solvers/surface_search.hpp"
 #include "solver_aleksandrov/pair_oracle.hpp"
 #include "solver_aleksandrov/propagation.hpp"
 
@@ -19,7 +19,7 @@ class AleksandrovPrepared final : public PreparedSurface {
         discretization_(std::make_shared<const aleksandrov::Discretization>(*surface_, settings, context)) {}
 
   std::unique_ptr<Search> make_search() const override {
-    return std::make_unique<ExactSearch<aleksandrov::Propagation>>(surface_, discretization_);
+    return std::make_unique<SurfaceSearch<aleksandrov::Propagation>>(surface_, discretization_);
   }
   std::unique_ptr<PairOracle> pair_oracle(std::istream* saved, RunContext& context) const override {
     return aleksandrov::make_pair_oracle(surface_->mesh_pointer(), delta_, saved, context);

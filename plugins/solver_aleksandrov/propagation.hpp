@@ -17,7 +17,7 @@
 
 namespace geodrome::aleksandrov {
 
-/// A search over the Steiner graph from any places of a surface, in the form that ExactSearch asks for. All distances
+/// A search over the Steiner graph from any places of a surface, in the form that SurfaceSearch asks for. All distances
 /// are those of the flat surface. Used again and again: a run costs what it reaches.
 class Propagation {
  public:

@@ -4,11 +4,11 @@
 #include <memory>
 #include <utility>
 
-#include "plugins/common/solvers/exact_search.hpp"
+#include "plugins/common/solvers/surface_search.hpp"
 
 namespace geodrome {
 
-/// A mesh made ready for searches with a `Propagation` (ExactSearch says what that is).
+/// A mesh made ready for searches with a `Propagation` (SurfaceSearch says what that is).
 template <class Propagation>
 class ExactPrepared final : public PreparedSurface {
  public:
@@ -19,7 +19,7 @@ class ExactPrepared final : public PreparedSurface {
       : surface_(std::make_shared<const FlatSurface>(std::move(mesh))), settings_(settings) {}
 
   std::unique_ptr<Search> make_search() const override {
-    return std::make_unique<ExactSearch<Propagation>>(surface_, settings_);
+    return std::make_unique<SurfaceSearch<Propagation>>(surface_, settings_);
   }
   std::size_t bytes() const override { return surface_->bytes(); }
 

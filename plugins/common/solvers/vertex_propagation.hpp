@@ -28,7 +28,7 @@ struct PseudoSource {
 
 /// What exact propagations have in common, whatever carries their straight lines across faces: labels of vertices, ways
 /// along edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances
-/// are those of the flat surface, and so are the numbers of faces and vertices. It makes up a part of what ExactSearch
+/// are those of the flat surface, and so are the numbers of faces and vertices. It makes up a part of what SurfaceSearch
 /// asks for.
 ///
 /// `Step` is that of Labels, with a member `vertex` for a way along an edge from that vertex. A

@@ -18,7 +18,7 @@
 namespace geodrome {
 
 /// A search and its map: translates between the request, in the mesh's own numbers and units, and a propagation of
-/// windows over the flat surface, in the numbers and units of that. A run costs what the propagation costs.
+/// ways over the flat surface, in the numbers and units of that. A run costs what the propagation costs.
 ///
 /// A `Propagation` is used again and again and has
 /// - `Settings`, and a constructor `(const FlatSurface&, const Settings&)`; the surface outlives it;
@@ -27,7 +27,7 @@ namespace geodrome {
 /// - `void seed(const Source&, Index number)`: the start distance is in the surface's units, the point has the mesh's
 ///   face number;
 /// - `std::vector<Watched>& watched()`, const too: empty after `begin`, filled before `run` in ascending order of
-///   faces, then lowered by ways through windows; their order stays;
+///   faces, then lowered by ways that are found; their order stays;
 /// - `void run(const RunContext&, lower_limit)`: goes on until nothing below the limit is left. Calls
 ///   `double lower_limit()`, a new limit if lower, once in `steps_a_poll` of its steps, so that looking at a target
 ///   costs about one step. May throw Cancelled;
@@ -42,9 +42,9 @@ namespace geodrome {
 /// - `std::array<Counter, n> counters() const`: the last is "largest_search_bytes", the memory of the propagation.
 /// VertexPropagation has `seed`, `watched`, `run` and `labels`.
 template <class Propagation>
-class ExactSearch final : public Search, private ShortestPathMap {
+class SurfaceSearch final : public Search, private ShortestPathMap {
  public:
-  ExactSearch(std::shared_ptr<const FlatSurface> surface, const typename Propagation::Settings& settings)
+  SurfaceSearch(std::shared_ptr<const FlatSurface> surface, const typename Propagation::Settings& settings)
       : surface_(std::move(surface)),
         propagation_(*surface_, settings),
         distances_(surface_->vertex_count(), infinity) {
@@ -102,7 +102,7 @@ class ExactSearch final : public Search, private ShortestPathMap {
 };
 
 template <class Propagation>
-const ShortestPathMap& ExactSearch<Propagation>::run(std::span<const Source> sources, const Request& request,
+const ShortestPathMap& SurfaceSearch<Propagation>::run(std::span<const Source> sources, const Request& request,
                                                      RunContext& context) {
   require_valid(mesh(), sources, request);
   context.throw_if_cancelled();
@@ -125,7 +125,7 @@ const ShortestPathMap& ExactSearch<Propagation>::run(std::span<const Source> sou
 }
 
 template <class Propagation>
-void ExactSearch<Propagation>::seed(double units) {
+void SurfaceSearch<Propagation>::seed(double units) {
   sources_in_faces_.clear();
   for (Index i = 0; i < sources_.size(); ++i) {
     propagation_.seed({sources_[i].at, sources_[i].start * units}, i);
@@ -139,7 +139,7 @@ void ExactSearch<Propagation>::seed(double units) {
 
 /// Targets in faces are lowered while windows pass, unless the windows are kept and can be asked afterwards.
 template <class Propagation>
-void ExactSearch<Propagation>::watch(const Request& request) {
+void SurfaceSearch<Propagation>::watch(const Request& request) {
   if (keep_ == Keep::map && !request.stop_at_targets) return;
   std::vector<Watched>& watched = propagation_.watched();
   for (const SurfacePoint& target : request.targets)
@@ -150,7 +150,7 @@ void ExactSearch<Propagation>::watch(const Request& request) {
 }
 
 template <class Propagation>
-double ExactSearch<Propagation>::farthest_target(const Request& request) const {
+double SurfaceSearch<Propagation>::farthest_target(const Request& request) const {
   double farthest = 0;
   for (const SurfacePoint& target : request.targets) {
     const Index vertex = mesh().vertex_at(target);
@@ -162,7 +162,7 @@ double ExactSearch<Propagation>::farthest_target(const Request& request) const {
 }
 
 template <class Propagation>
-void ExactSearch<Propagation>::finish(const Request& request) {
+void SurfaceSearch<Propagation>::finish(const Request& request) {
   const double units = std::ldexp(1.0, surface_->exponent());
   limit_ = request.stop_at_targets ? farthest_target(request) : infinity;
   for (const Index v : written_) distances_[v] = infinity;
@@ -182,13 +182,13 @@ void ExactSearch<Propagation>::finish(const Request& request) {
 }
 
 template <class Propagation>
-void ExactSearch<Propagation>::count() {
+void SurfaceSearch<Propagation>::count() {
   counters_ = propagation_.counters();
   counters_.back().value += distances_.size() * (sizeof(double) + sizeof(Index));
 }
 
 template <class Propagation>
-Distance ExactSearch<Propagation>::at(const SurfacePoint& point) const {
+Distance SurfaceSearch<Propagation>::at(const SurfacePoint& point) const {
   require_on_surface(mesh(), point, "the point");
   if (keep_ == Keep::map || mesh().vertex_at(point) != no_index) return distance_at(point);
   return kept_.at(point);
@@ -196,7 +196,7 @@ Distance ExactSearch<Propagation>::at(const SurfacePoint& point) const {
 
 /// Of a vertex, or with all windows kept of any point.
 template <class Propagation>
-Distance ExactSearch<Propagation>::distance_at(const SurfacePoint& point) const {
+Distance SurfaceSearch<Propagation>::distance_at(const SurfacePoint& point) const {
   const Index vertex = mesh().vertex_at(point);
   if (vertex != no_index) {
     const Label& label = propagation_.labels()[surface_->vertex_of_original(vertex)];
@@ -209,7 +209,7 @@ Distance ExactSearch<Propagation>::distance_at(const SurfacePoint& point) const 
 /// To a point that is no vertex, with all windows kept. A point of an edge is asked for in each of its faces: in the
 /// one that the way comes from, rounding where windows meet counts least.
 template <class Propagation>
-auto ExactSearch<Propagation>::nearest_way(const SurfacePoint& point) const -> NearestWay {
+auto SurfaceSearch<Propagation>::nearest_way(const SurfacePoint& point) const -> NearestWay {
   NearestWay nearest;
   surface_->for_each_name(surface_->inner(point), [&](const SurfacePoint& name) {
     const PlainWay plain = plain_way(name);
@@ -222,7 +222,7 @@ auto ExactSearch<Propagation>::nearest_way(const SurfacePoint& point) const -> N
 
 /// To a target that was watched.
 template <class Propagation>
-auto ExactSearch<Propagation>::watched_way(const SurfacePoint& point) const -> PlainWay {
+auto SurfaceSearch<Propagation>::watched_way(const SurfacePoint& point) const -> PlainWay {
   const auto& watched = propagation_.watched();
   PlainWay nearest;
   surface_->for_each_name(surface_->inner(point), [&](const SurfacePoint& name) {
@@ -238,7 +238,7 @@ auto ExactSearch<Propagation>::watched_way(const SurfacePoint& point) const -> P
 
 /// A distance in the surface's units as an answer, for a point in a face of the mesh.
 template <class Propagation>
-Distance ExactSearch<Propagation>::judge(double distance, Index source, Index face) const {
+Distance SurfaceSearch<Propagation>::judge(double distance, Index source, Index face) const {
   const double value = std::ldexp(distance, -surface_->exponent());
   if (source != no_index && value <= radius_ && distance <= limit_) return {value, Reach::reached, source};
   const Index component = surface_->components()[mesh().triangles()[face][0]];
@@ -246,7 +246,7 @@ Distance ExactSearch<Propagation>::judge(double distance, Index source, Index fa
 }
 
 template <class Propagation>
-auto ExactSearch<Propagation>::plain_way(const SurfacePoint& inner) const -> PlainWay {
+auto SurfaceSearch<Propagation>::plain_way(const SurfacePoint& inner) const -> PlainWay {
   PlainWay way;
   const Index frame = 3 * inner.face;
   const auto [x, y] = surface_->in_frame(frame, inner.b);
@@ -269,7 +269,7 @@ auto ExactSearch<Propagation>::plain_way(const SurfacePoint& inner) const -> Pla
 }
 
 template <class Propagation>
-void ExactSearch<Propagation>::path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const {
+void SurfaceSearch<Propagation>::path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const {
   require_on_surface(mesh(), point, "the point");
   require_paths(keep_);
   out.clear();
