@@ -41,13 +41,10 @@ class IndexedPairs final : public PairOracle {
   double distance(const SurfacePoint& from, const SurfacePoint& to) const override {
     require_on_surface(*mesh_, from, "a point");
     require_on_surface(*mesh_, to, "a point");
-    const auto [a, to_a] = nearest_corner(from);
-    const auto [b, to_b] = nearest_corner(to);
-    const Bounds corners = index_.between(a, b);
-    const double way = corners.most + to_a + to_b, least = corners.least - to_a - to_b;
-    if (a == b && to_a == 0 && to_b == 0) return 0;
-    if (way <= (1 + delta_) * least) return way;
-    return std::min(way, searched(from, to, way));
+    if (mesh_->vertex_at(from) != no_index && mesh_->vertex_at(from) == mesh_->vertex_at(to)) return 0;
+    const Bounds bounds = by_corners(corners(from), corners(to));
+    return bounds.most <= (1 + delta_) * bounds.least ? bounds.most
+                                                      : std::min(bounds.most, searched(from, to, bounds.most));
   }
 
   void save(std::ostream& out) const override { index_.save(out); }
@@ -58,15 +55,29 @@ class IndexedPairs final : public PairOracle {
     double distance;
   };
 
-  Corner nearest_corner(const SurfacePoint& point) const {
-    Corner nearest{no_index, std::numeric_limits<double>::infinity()};
+  /// A vertex alone, or the corners of the face, nearest first.
+  std::vector<Corner> corners(const SurfacePoint& point) const {
+    const Index vertex = mesh_->vertex_at(point);
+    if (vertex != no_index) return {{vertex, 0}};
+    std::vector<Corner> all;
     const Vec3 at = mesh_->position(point);
-    for (int i = 0; i < 3; ++i) {
-      const Index v = mesh_->triangles()[point.face][i];
-      const double distance = point.b[i] == 1 ? 0 : geodrome::distance(at, mesh_->positions()[v]);
-      if (distance < nearest.distance) nearest = {v, distance};
-    }
-    return nearest;
+    for (const Index v : mesh_->triangles()[point.face])
+      all.push_back({v, geodrome::distance(at, mesh_->positions()[v])});
+    std::stable_sort(all.begin(), all.end(), [](const Corner& a, const Corner& b) { return a.distance < b.distance; });
+    return all;
+  }
+
+  /// Until the bounds are near enough: through each corner, and no farther from the points than their corners are.
+  Bounds by_corners(const std::vector<Corner>& from, const std::vector<Corner>& to) const {
+    Bounds bounds{0, std::numeric_limits<double>::infinity()};
+    for (const Corner& a : from)
+      for (const Corner& b : to) {
+        const Bounds between = index_.between(a.vertex, b.vertex);
+        bounds.least = std::max(bounds.least, between.least - a.distance - b.distance);
+        bounds.most = std::min(bounds.most, between.most + a.distance + b.distance);
+        if (bounds.most <= (1 + delta_) * bounds.least) return bounds;
+      }
+    return bounds;
   }
 
   /// The exact distance, by a search that goes no farther than `most`.
