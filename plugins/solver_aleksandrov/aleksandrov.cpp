@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "common/solvers/surface_search.hpp"
-#include "solver_aleksandrov/pair_oracle.hpp"
+#include "solver_aleksandrov/pairs/pair_oracle.hpp"
 #include "solver_aleksandrov/propagation.hpp"
 
 namespace geodrome {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_aleksandrov/plane.hpp"
+#include "solver_aleksandrov/intrinsic/plane.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "solver_aleksandrov/delaunay.hpp"
+#include "solver_aleksandrov/intrinsic/delaunay.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {

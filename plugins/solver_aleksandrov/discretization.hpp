@@ -3,7 +3,7 @@
 
 #include "common/solvers/flat_surface.hpp"
 #include "geodrome/run_context.hpp"
-#include "solver_aleksandrov/intrinsic_triangulation.hpp"
+#include "solver_aleksandrov/intrinsic/triangulation.hpp"
 #include "solver_aleksandrov/steiner_graph.hpp"
 
 namespace geodrome::aleksandrov {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "solver_aleksandrov/cheapest_crossing.hpp"
-#include "solver_aleksandrov/intrinsic_triangulation.hpp"
+#include "solver_aleksandrov/intrinsic/triangulation.hpp"
 #include "solver_aleksandrov/steiner_points.hpp"
 
 namespace geodrome::aleksandrov {

@@ -4,7 +4,7 @@
 
 #include "engine/report/common_face.hpp"
 #include "property/solver_fixture.hpp"
-#include "solver_aleksandrov/delaunay.hpp"
+#include "solver_aleksandrov/intrinsic/delaunay.hpp"
 #include "solver_aleksandrov/steiner_points.hpp"
 #include "support/meshes.hpp"
 #include "tools/shapes/fuzz_mesh.hpp"

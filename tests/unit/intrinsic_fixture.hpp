@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "solver_aleksandrov/intrinsic_triangulation.hpp"
+#include "solver_aleksandrov/intrinsic/triangulation.hpp"
 #include "support/meshes.hpp"
 #include "tools/shapes/hostile.hpp"
 #include "tools/shapes/random.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/least_sum.hpp"
+#include "solver_aleksandrov/pairs/least_sum.hpp"
 
 #include <algorithm>
 #include <cstring>

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "common/solvers/flat_surface.hpp"
-#include "solver_aleksandrov/plane.hpp"
-#include "solver_aleksandrov/rearrangements.hpp"
+#include "solver_aleksandrov/intrinsic/plane.hpp"
+#include "solver_aleksandrov/intrinsic/rearrangements.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/pair_oracle.hpp"
+#include "solver_aleksandrov/pairs/pair_oracle.hpp"
 
 #include <algorithm>
 #include <mutex>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "common/solvers/query_points.hpp"
-#include "solver_aleksandrov/pair_index.hpp"
+#include "solver_aleksandrov/pairs/pair_index.hpp"
 #include "solver_chen_han/chen_han.hpp"
 
 namespace geodrome::aleksandrov {

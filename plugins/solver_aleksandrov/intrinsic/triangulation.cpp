@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/intrinsic_triangulation.hpp"
+#include "solver_aleksandrov/intrinsic/triangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
