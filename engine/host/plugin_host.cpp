@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/host/installed.hpp"
 #include "engine/host/plugin_choice.hpp"
 #include "engine/host/registry.hpp"
 #include "engine/host/vetting.hpp"

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/host/vetting.hpp"
 
-#define BOOST_DLL_USE_STD_FS
-#include <boost/dll/runtime_symbol_info.hpp>
 #include <cstdlib>
 #include <cstring>
 
 #include "engine/host/child.hpp"
+#include "engine/host/installed.hpp"
 #include "engine/host/plugin_json.hpp"
 #include "geodrome/abi.hpp"
 #include "geodrome/errors.hpp"
@@ -18,18 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr double default_limit_seconds = 10;
 constexpr double longest_limit_seconds = 3600;
-
-fs::path vet_program() {
-  std::string tried;
-  for (const char* from_engine : {GEODROME_BIN_FROM_LIB, "../bin"}) {
-    const fs::path program = (engine_folder() / from_engine / "geodrome-vet").lexically_normal();
-    std::error_code error;
-    if (fs::is_regular_file(program, error)) return program;
-    if (tried != program.string()) tried += (tried.empty() ? "" : ", ") + program.string();
-  }
-  throw PluginError("the program geodrome-vet, which tests plugins, is missing (looked for " + tried + ")",
-                    "install Geodrome completely");
-}
 
 double limit_in_seconds() {
   const char* text = std::getenv("GEODROME_VET_TIMEOUT");
@@ -74,15 +61,10 @@ std::variant<PluginInfo, PluginRefusal> read_answer(const fs::path& file, const 
 
 }  // namespace
 
-fs::path engine_folder() {
-  static const fs::path folder = fs::weakly_canonical(boost::dll::this_line_location()).parent_path();
-  return folder;
-}
-
 std::variant<PluginInfo, PluginRefusal> vet(const fs::path& file) {
   const double seconds = limit_in_seconds();
   const std::chrono::milliseconds limit(static_cast<std::int64_t>(1000 * seconds) + 1);
-  const ChildEnd end = run_child(vet_program(), {file.string()}, limit);
+  const ChildEnd end = run_child(installed_program("geodrome-vet"), {file.string()}, limit);
   if (end.timed_out)
     return PluginRefusal{file, "did not finish loading within " + shown(seconds) + last_words(end.err)};
   if (!end.exited) {

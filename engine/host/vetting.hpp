@@ -8,9 +8,6 @@
 
 namespace geodrome {
 
-/// The folder of the engine library: programs and plugins are found from there, wherever the install was moved to.
-std::filesystem::path engine_folder();
-
 /// Loads `file` in a child process (`geodrome-vet`) and tells what it is, or why it is refused. Throws PluginError if
 /// the vetting itself cannot be done, OptionError if GEODROME_VET_TIMEOUT is no positive number of seconds.
 std::variant<PluginInfo, PluginRefusal> vet(const std::filesystem::path& file);

@@ -63,9 +63,9 @@ std::vector<std::string> needs_words(std::uint64_t needs) {
 }
 
 std::vector<std::string> provides_words(std::uint64_t provides) {
-  static constexpr const char* names[] = {"start_distances", "face_sources",    "radius_limit",     "target_limit",
-                                          "any_point",       "paths",           "path_is_distance", "pair_queries",
-                                          "weights",         "factor_any_point"};
+  static constexpr const char* names[] = {
+      "start_distances",  "face_sources", "radius_limit", "target_limit",     "any_point",    "paths",
+      "path_is_distance", "pair_queries", "weights",      "factor_any_point", "never_shorter"};
   return words_of(provides, names);
 }
 

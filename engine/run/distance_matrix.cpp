@@ -164,7 +164,8 @@ std::vector<Vec3> points_of(std::span<const Query> queries) {
 }
 
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
-                            const MatrixFile& file, std::span<const Query> sources, std::span<const Query> targets) {
+                            const MatrixFile& file, std::span<const Query> sources, const TargetList& target_list) {
+  const std::span<const Query> targets = target_list.queries();
   const std::uint64_t rows_of_input = no_index;
   const auto row_ids = identities(sources, rows_of_input),
              column_ids = identities(targets, rows_of_input + sources.size());
@@ -173,13 +174,14 @@ Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver
   for (const Query& source : sources) starts.push_back(source.start);
   const MatrixView view{row_ids,       column_ids, row_points,
                         column_points, starts,     [&](std::uint64_t row) { return file.read(row); }};
-  return check_invariants(view, {.factor = solver.plugin.factor,
-                                 .one_surface = job.query == QueryRule::project,
-                                 .bounded = job.query != QueryRule::printed,
-                                 .smallest_weight = smallest_weight(mesh),
-                                 .float32 = job.scalar == ScalarType::float32,
-                                 .radius = job.max_distance,
-                                 .seed = job.settings.seed});
+  return check_invariants(
+      view, {.factor = solver.plugin.factor,
+             .one_surface = job.query == QueryRule::project,
+             .bounded = job.query != QueryRule::printed && (target_list.bounded() || solver.provides(never_shorter)),
+             .smallest_weight = smallest_weight(mesh),
+             .float32 = job.scalar == ScalarType::float32,
+             .radius = job.max_distance,
+             .seed = job.settings.seed});
 }
 
 /// Reads the whole matrix once more, as it stands on disk, resumed rows included.
@@ -243,7 +245,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   result.counters = maker.counters();
   result.insertions = maker.insertions();
   result.reach = count_reaches(job, surfaces, file, sources);
-  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, targets);
+  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
   file.finish();
   return result;
 }

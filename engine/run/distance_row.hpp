@@ -43,6 +43,8 @@ class TargetList {
   /// What the distance from `source` to target `j` cannot be below: |st| for a cloud, whose surface is an estimate; 0
   /// for a mesh, whose distances stay as they are.
   double lower_bound(const Query& source, std::size_t j) const;
+  /// Whether that is |st|, whatever the solver.
+  bool bounded() const noexcept { return estimated_; }
 
  private:
   std::vector<Query> queries_;

@@ -65,7 +65,7 @@ double scale_of(const SurfaceMesh& mesh, std::span<const double> values) {
   return scale;
 }
 
-void check(const SurfaceMesh& mesh, std::span<const QueryPair> pairs, PairDistances& result) {
+void check(const SurfaceMesh& mesh, bool never_below, std::span<const QueryPair> pairs, PairDistances& result) {
   const std::vector<Index> of_vertex = vertex_components(mesh);
   const double slack = float64_tolerance * scale_of(mesh, result.values);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -75,8 +75,8 @@ void check(const SurfaceMesh& mesh, std::span<const QueryPair> pairs, PairDistan
     count_reach({&value, 1}, component_of(mesh, of_vertex, from), {&target, 1}, false, result.reach);
     if (!on_surface(pairs[i]) || !std::isfinite(value)) continue;
     // A weight below 1 may make the way shorter than the straight line.
-    const bool weighted = !mesh.face_weights().empty();
-    if (!weighted && value < distance(mesh.position(from.at), mesh.position(to.at)) - slack) ++result.below_euclid;
+    const bool bounded = never_below && mesh.face_weights().empty();
+    if (bounded && value < distance(mesh.position(from.at), mesh.position(to.at)) - slack) ++result.below_euclid;
     if (from.at == to.at && value > slack) ++result.not_zero;
   }
 }
@@ -87,7 +87,7 @@ PairDistances pair_distances(const Surface& surface, const PreparedSolver& solve
                              std::span<const QueryPair> pairs, unsigned threads, RunContext& context) {
   PairDistances result;
   ask(solver, oracle, pairs, threads, context, result);
-  check(*surface.mesh, pairs, result);
+  check(*surface.mesh, solver.provides(never_shorter), pairs, result);
   result.audit = audit_pairs(*surface.mesh, solver, pairs, result.values, context);
   if (surface.made_from == InputKind::points)
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -112,32 +112,43 @@ Json run_json(const RunRecord& record) {
   return json;
 }
 
-/// The invariants that the rule promises.
-const char* promised_by(QueryRule rule, bool weighted) {
-  if (weighted) return "D >= smallest weight x Euclid, D(s,s), symmetry, triangle inequality, reach";
-  switch (rule) {
-    case QueryRule::insert:
-      return "D >= Euclid, D(s,s), reach; symmetry and the triangle inequality are not promised by --query insert";
-    case QueryRule::printed:
-      return "D(s,s), reach; --query printed promises nothing else and is for comparison only";
-    default:
-      return "D >= Euclid, D(s,s), symmetry, triangle inequality, reach";
-  }
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
-void summarize_matrix(const DistanceJob& job, const MatrixResult& m, bool weighted, std::ostream& out) {
+/// The invariants that rule and solver promise, and those that they do not.
+std::string promised_by(const RunRecord& record) {
+  const Invariants& i = record.matrix->invariants;
+  std::vector<std::string> promised, others;
+  const auto add = [&](bool expected, const char* what) { (expected ? promised : others).push_back(what); };
+  add(i.euclid.expected, is_weighted(record) ? "D >= smallest weight x Euclid" : "D >= Euclid");
+  promised.push_back("D(s,s)");
+  add(i.symmetry.expected, "symmetry");
+  add(i.triangle.expected, "triangle inequality");
+  promised.push_back("reach");
+  if (others.empty()) return joined(promised);
+  return joined(promised) + "; not promised by " +
+         (record.job.query == QueryRule::project ? record.solver.plugin.info.full_name()
+                                                 : "--query " + std::string(name(record.job.query))) +
+         ": " + joined(others);
+}
+
+void summarize_matrix(const RunRecord& record, std::ostream& out) {
+  const DistanceJob& job = record.job;
+  const MatrixResult& m = *record.matrix;
   out << "matrix     " << job.matrix.string() << ": " << m.rows << " x " << m.columns << " in " << m.seconds << " s; "
       << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
       << m.reach.not_computed << " not computed\n";
   const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
-  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " ("
-      << promised_by(job.query, weighted) << ")\n";
+  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(record) << ")\n";
 }
 
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
   out.precision(4);
   summarize_provenance(record.opened.input, surface, record.solver, out);
-  if (record.matrix) summarize_matrix(record.job, *record.matrix, is_weighted(record), out);
+  if (record.matrix) summarize_matrix(record, out);
   if (record.nearest)
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
         << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "

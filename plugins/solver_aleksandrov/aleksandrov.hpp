@@ -15,7 +15,8 @@ namespace geodrome {
 class AleksandrovSolver final : public ShortestPathSolver {
  public:
   static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                            paths | path_is_distance | pair_queries | weights | factor_any_point;
+                                            paths | path_is_distance | pair_queries | weights | factor_any_point |
+                                            never_shorter;
   static constexpr OptionSpec options[] = {
       number_option("delta", "0.05", 1e-4, 1, "", "distances are at most 1 + delta times too long"),
       choice_option("placement", "thin", "thin|published", "of Steiner points: ours, or that of the paper (denser)"),

@@ -14,7 +14,7 @@ class CgalSolver final : public ShortestPathSolver {
  public:
   static constexpr std::uint64_t needs = manifold | oriented;
   static constexpr std::uint64_t provides =
-      face_sources | radius_limit | any_point | paths | path_is_distance | factor_any_point;
+      face_sources | radius_limit | any_point | paths | path_is_distance | factor_any_point | never_shorter;
 
   /// Copies the mesh for CGAL, O(V + F). Throws CapabilityError for face weights.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;

@@ -16,7 +16,7 @@ namespace geodrome {
 class ChenHanSolver final : public ShortestPathSolver {
  public:
   static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                            paths | path_is_distance | factor_any_point;
+                                            paths | path_is_distance | factor_any_point | never_shorter;
   static constexpr OptionSpec options[] = {
       choice_option("filter", "xin_wang", "xin_wang|off",
                     "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),

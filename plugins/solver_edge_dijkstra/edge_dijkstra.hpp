@@ -10,8 +10,8 @@ namespace geodrome {
 /// faces that hold them, and to each other within a face. O(E log V) a run, nothing allocated from run to run.
 class EdgeDijkstra final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t provides =
-      start_distances | face_sources | radius_limit | target_limit | any_point | paths | path_is_distance;
+  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
+                                            paths | path_is_distance | never_shorter;
 
   /// Builds the graph, O(F log F). Throws CapabilityError for face weights.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;

@@ -13,7 +13,7 @@ namespace geodrome {
 class SchreiberSolver final : public ShortestPathSolver {
  public:
   static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                            paths | path_is_distance | factor_any_point;
+                                            paths | path_is_distance | factor_any_point | never_shorter;
 
   explicit SchreiberSolver(const OptionValues&) {}
 

@@ -93,5 +93,5 @@ class WeightedSolver : public ShortestPathSolver {
 }  // namespace geodrome
 
 GEODROME_PLUGIN(geodrome::WeightedSolver, .name = "test_weighted", .summary = "along edges, weighted", .licence = "MIT",
-                .provides = geodrome::weights | geodrome::paths | geodrome::path_is_distance,
+                .provides = geodrome::weights | geodrome::paths | geodrome::path_is_distance | geodrome::never_shorter,
                 .factor = geodrome::no_factor)

@@ -25,12 +25,17 @@ void add_plugins(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_shape(CLI::App& app, Action& action);
 
+/// Subcommands of 'plugins'.
+void add_plugins_check(CLI::App& plugins, Action& action);
+void add_plugins_new(CLI::App& plugins, Action& action);
+
 /// Options that several subcommands share, each declared once.
 void add_input(CLI::App& command, std::filesystem::path& file);
 void add_read_options(CLI::App& command, ReadOptions& read);
 void add_sample_stages(CLI::App& command, StageChoice& stages);
 void add_solver(CLI::App& command, StageChoice& stages);
 void add_run_options(CLI::App& command, RunSettings& settings);
+void add_threads(CLI::App& command, unsigned& threads, const std::string& help);
 void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders);
 void add_quiet(CLI::App& command, bool& quiet);
 

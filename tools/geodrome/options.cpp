@@ -75,12 +75,16 @@ void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& fold
       ->group(run_group);
 }
 
-void add_run_options(CLI::App& command, RunSettings& settings) {
-  add_plugin_path(command, settings.plugin_path);
-  command.add_option("--threads", settings.threads, "Threads; 0: one per core. No result depends on it")
+void add_threads(CLI::App& command, unsigned& threads, const std::string& help) {
+  command.add_option("--threads", threads, help)
       ->check(whole_number_up_to(most_threads))
       ->capture_default_str()
       ->group(run_group);
+}
+
+void add_run_options(CLI::App& command, RunSettings& settings) {
+  add_plugin_path(command, settings.plugin_path);
+  add_threads(command, settings.threads, "Threads; 0: one per core. No result depends on it");
   command.add_option("--seed", settings.seed, "Seed of everything random")
       ->check(whole_number_up_to(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str()

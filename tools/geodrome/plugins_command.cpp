@@ -109,6 +109,8 @@ void add_plugins(CLI::App& app, Action& action) {
   }
   list_command.callback([&action, arguments] { action = [arguments] { return list(*arguments); }; });
   show_command.callback([&action, arguments] { action = [arguments] { return show(*arguments); }; });
+  add_plugins_check(command, action);
+  add_plugins_new(command, action);
 }
 
 }  // namespace geodrome::cli

@@ -2,6 +2,7 @@
 #include "tools/vet/descriptor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr std::uint64_t known_needs = manifold | oriented | closed;
 constexpr std::uint64_t known_provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                         paths | path_is_distance | pair_queries | weights | factor_any_point;
+                                         paths | path_is_distance | pair_queries | weights | factor_any_point |
+                                         never_shorter;
 
 std::string text(const char* value, const std::string& what) {
   if (value == nullptr) throw PluginError(what + " is missing");
@@ -90,6 +92,7 @@ PluginInfo checked_info(const PluginDescriptor& plugin) {
   const std::span specs(plugin.options, plugin.option_count);
   info.options = option_infos(specs);
   info.default_factor = default_factor(plugin, specs);
+  if (std::isfinite(info.default_factor)) info.provides |= never_shorter;
   return info;
 }
 

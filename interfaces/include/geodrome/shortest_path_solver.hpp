@@ -100,6 +100,7 @@ enum Provides : std::uint64_t {
   pair_queries = 128,      ///< PreparedSurface::pair_oracle, for any two points
   weights = 256,           ///< SurfaceMesh::face_weights
   factor_any_point = 512,  ///< the factor holds at any point, not only at vertices
+  never_shorter = 1024,    ///< no distance is below the true one; a finite factor implies it, stated or not
 };
 
 /// What a solver needs of a mesh (`PluginDescriptor::needs`).

@@ -75,4 +75,4 @@ class EdgeSolver : public ShortestPathSolver {
 }  // namespace
 
 GEODROME_PLUGIN(EdgeSolver, .name = "third_party", .summary = "shortest paths along edges (Dijkstra 1959)",
-                .licence = "MIT", .provides = start_distances)
+                .licence = "MIT", .provides = start_distances | never_shorter)

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// geodrome-judge PLUGIN.so[:key=value,...] DEMAND MEGABYTES [--plugin-path DIR]... [--mesh FILE]...
+//
+// Judges one demand on one plugin and prints the verdict as one JSON object to standard output, status 0. Whatever the
+// plugin does to the process stays in this process; who runs it sets a time limit and takes any other end for a
+// failure.
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+
+#include "tools/conformance/verdict_json.hpp"
+
+#if defined(__SANITIZE_ADDRESS__)
+// A crash must be seen as the signal it is; leaks are judged by a demand of their own.
+extern "C" const char* __asan_default_options() {
+  return "handle_segv=0:handle_sigbus=0:handle_abort=0:detect_leaks=0";
+}
+#endif
+
+namespace {
+
+using namespace geodrome;
+using namespace geodrome::conformance;
+
+/// Memory without end is to end here, and not with the machine.
+void limit_memory(const char* megabytes) {
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these reserve terabytes of address space
+  const rlim_t bytes = std::strtoull(megabytes, nullptr, 10) << 20;
+  const rlimit limit{bytes, bytes};
+  setrlimit(RLIMIT_AS, &limit);
+#else
+  (void)megabytes;
+#endif
+}
+
+/// From here on what the plugin prints goes to standard error, so that standard output carries the verdict alone.
+int keep_output_to_ourselves() {
+  const int result = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
+  if (result < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) std::perror("geodrome-judge");
+  return result;
+}
+
+Subject subject_of(int argc, char** argv) {
+  std::vector<std::filesystem::path> folders, meshes;
+  for (int i = 4; i + 1 < argc; i += 2)
+    (std::string_view(argv[i]) == "--mesh" ? meshes : folders).emplace_back(argv[i + 1]);
+  Subject subject = find_subject(argv[1], folders);
+  subject.meshes = std::move(meshes);
+  return subject;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 4) {
+    std::cerr
+        << "usage: geodrome-judge PLUGIN.so[:key=value,...] DEMAND MEGABYTES [--plugin-path DIR]... [--mesh FILE]...\n";
+    return 2;
+  }
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // a plugin that hangs must not outlive who asked
+  const int result = keep_output_to_ourselves();
+  try {
+    const Subject subject = subject_of(argc, argv);
+    limit_memory(argv[3]);
+    const std::string line =
+        to_json(judge(subject, argv[2])).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    const bool written = write(result, line.data(), line.size()) == static_cast<ssize_t>(line.size());
+    _exit(written ? 0 : 3);  // no destructor of the plugin gets another chance to run
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+}

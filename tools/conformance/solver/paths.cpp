@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Paths: where they lead, and how long they are.
+#include "engine/report/common_face.hpp"
+#include "tools/conformance/solver/solver_trial.hpp"
+
+namespace geodrome::conformance {
+namespace {
+
+/// One path from `point` to the nearest of the sources at `at`.
+void judge_path(SolverTrial& t, const CommonFace& common, const ShortestPathMap& map, const SurfacePoint& point,
+                const std::vector<SurfacePoint>& at, double scale) {
+  std::vector<SurfacePoint> path;
+  map.path(point, path);
+  t.holds(!path.empty(), "a path", "from face ", point.face);
+  if (path.empty()) return;
+  t.holds(path.front() == point, "it begins at the point", "from face ", point.face);
+  t.near(common.straight(path.back(), at[map.at(point).source]).value_or(infinity), 0, rounding * scale,
+         "distance of its end from the source, from face ", point.face);
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const auto step = common.straight(path[i], path[i + 1]);
+    t.holds(step.has_value(), "a step within a face", "step ", i, " from face ", point.face);
+    length += step.value_or(0);
+  }
+  if (t.has(path_is_distance))
+    t.near(length, map.at(point).value, rounding * scale, "length, from face ", point.face);
+  else
+    t.at_least(length, map.at(point).value - rounding * scale, "length, from face ", point.face);
+}
+
+void to_sources(SolverTrial& t, std::uint64_t bits, int corner_sources) {
+  t.needs(bits);
+  const MeshPtr mesh = terrain(11, 1.5, 61);
+  t.needs_fit(mesh);
+  Running running(t.plugin, mesh);
+  const CommonFace common(*mesh);
+  std::mt19937_64 random(73);
+  std::vector<SurfacePoint> at;
+  std::vector<Source> sources;
+  for (int i = 0; i < 3; ++i) {
+    at.push_back(i < corner_sources ? mesh->at_vertex(50 * i + 3) : random_point(*mesh, random));
+    sources.push_back({at.back()});
+  }
+  const ShortestPathMap& map = running.map(sources);
+  for (int i = 0; i < 80; ++i) {
+    const SurfacePoint point = t.has(any_point) ? random_point(*mesh, random)
+                                                : mesh->at_vertex(static_cast<Index>(random() % mesh->vertex_count()));
+    judge_path(t, common, map, point, at, 15);
+  }
+}
+
+void from_vertices(SolverTrial& t) { to_sources(t, paths, 3); }
+void from_face_sources(SolverTrial& t) { to_sources(t, paths | face_sources, 0); }
+
+void none_from_another_component(SolverTrial& t) {
+  t.needs(paths);
+  const MeshPtr one = plane_grid(5), mesh = both(one, mapped(one, [](const Vec3&p) { return p + Vec3{0, 0, 50}; }));
+  t.needs_fit(mesh);
+  Running running(t.plugin, mesh);
+  std::vector<SurfacePoint> path{{0, {1, 0, 0}}};
+  running.map({{mesh->at_vertex(0)}}).path(mesh->at_vertex(static_cast<Index>(one->vertex_count())), path);
+  t.holds(path.empty(), "an empty path");
+}
+
+void from_the_source(SolverTrial& t) {
+  t.needs(paths);
+  const MeshPtr mesh = terrain(6, 1, 63);
+  t.needs_fit(mesh);
+  Running running(t.plugin, mesh);
+  const CommonFace common(*mesh);
+  const SurfacePoint source = mesh->at_vertex(17);
+  judge_path(t, common, running.map({{source}}), source, {source}, 8);
+}
+
+}  // namespace
+
+DemandTable path_demands() {
+  return {
+      solver_demand<from_vertices>("paths.lead_to_sources",
+                                   "paths run on the surface to their source, as long as the distance"),
+      solver_demand<from_face_sources>("paths.lead_into_faces", "so they do to sources in faces"),
+      solver_demand<from_the_source>("paths.of_the_source", "the path from the source to itself has length 0"),
+      solver_demand<none_from_another_component>("paths.unreachable", "there is none from another component"),
+  };
+}
+
+}  // namespace geodrome::conformance

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/report/json.hpp"
+#include "geodrome/shortest_path_solver.hpp"
+#include "tools/conformance/demand_table.hpp"
+#include "tools/shapes/small_meshes.hpp"
+
+namespace geodrome::conformance {
+
+using namespace shapes::small;
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double rounding = 1e-12;  ///< relative to the largest distance: what "exact" means in this project
+
+using SolverPlugin = Plugin<ShortestPathSolver>;
+
+/// A search on a mesh with everything it needs kept alive.
+struct Running {
+  QuietContext context;
+  std::unique_ptr<PreparedSurface> prepared;
+  std::unique_ptr<Search> search;
+
+  Running(const SolverPlugin& plugin, const MeshPtr& mesh)
+      : prepared(plugin.object->prepare(mesh, context)), search(prepared->make_search()) {}
+
+  const ShortestPathMap& run(const std::vector<Source>& sources, const Request& request = {}) {
+    return search->run(sources, request, context);
+  }
+  const ShortestPathMap& map(const std::vector<Source>& sources) { return run(sources, {.keep = Keep::map}); }
+};
+
+inline std::vector<double> copy(std::span<const double> values) { return {values.begin(), values.end()}; }
+
+inline bool same_bytes(std::span<const double> a, std::span<const double> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+inline double largest_finite(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) largest = std::max(largest, value);
+  return largest;
+}
+
+/// Is cancelled after it was asked so often.
+class CancelAfter : public QuietContext {
+ public:
+  explicit CancelAfter(int polls) : left_(polls) {}
+  bool cancelled() const noexcept override { return left_-- <= 0; }
+
+ private:
+  mutable int left_;
+};
+
+/// A trial of a solver.
+struct SolverTrial : StageTrial<ShortestPathSolver> {
+  using StageTrial::StageTrial;
+
+  bool has(std::uint64_t bits) const { return (plugin.info.provides & bits) == bits; }
+  bool exact() const { return plugin.factor == 1; }
+  bool has_factor() const { return std::isfinite(plugin.factor); }
+  /// For sums and comparisons of several distances, each of which may be too long by the factor.
+  double factor_or_one() const { return has_factor() ? plugin.factor : 1; }
+
+  void needs(std::uint64_t bits) const {
+    std::string missing;
+    for (const std::string& word : provides_words(bits & ~plugin.info.provides))
+      missing += (missing.empty() ? "" : ", ") + word;
+    if (!missing.empty()) throw NotApplicable{"the solver does not provide " + missing};
+  }
+  bool fits(const SurfaceMesh& mesh) const {
+    const std::uint64_t needed = plugin.info.needs;
+    return (!(needed & manifold) || mesh.manifold()) && (!(needed & oriented) || mesh.oriented()) &&
+           (!(needed & closed) || mesh.closed());
+  }
+  void needs_fit(const MeshPtr& mesh) const {
+    if (!fits(*mesh)) throw NotApplicable{"the solver states that it needs another kind of mesh"};
+  }
+  void needs_factor() const {
+    if (!has_factor()) throw NotApplicable{"the solver states no factor"};
+  }
+
+  /// `value` must be a distance of this solver where the true one is `truth`; errors are relative to `scale`.
+  template <class... Where>
+  void distance(double value, double truth, double scale, const Where&... where) {
+    if (has(never_shorter))
+      at_least(value, truth - rounding * scale, "shorter than the truth: ", where...);
+    else
+      holds(truth == infinity ? value == infinity : std::isfinite(value) && value >= 0,
+            "finite and not negative where reachable, infinite elsewhere", where...);
+    if (has_factor())
+      at_most(value, plugin.factor * truth + rounding * scale, "longer than the factor allows: ", where...);
+  }
+
+  /// The exact solvers at hand, other than the one under judgement, best first.
+  std::vector<SolverPlugin> exact_solvers() const {
+    std::vector<SolverPlugin> solvers;
+    for (const char* name : {"cgal", "chen_han", "schreiber"}) {
+      if (plugin.info.name == name) continue;
+      try {
+        solvers.push_back(host.load<ShortestPathSolver>(name));
+      } catch (const OptionError&) {  // not built
+      }
+    }
+    return solvers;
+  }
+  /// The best of them, that solves `mesh`.
+  SolverPlugin reference() const {
+    std::vector<SolverPlugin> solvers = exact_solvers();
+    if (solvers.empty()) throw NotApplicable{"there is no exact solver to compare with"};
+    return solvers.front();
+  }
+};
+
+template <void (*judge_it)(SolverTrial&)>
+constexpr JudgedDemand solver_demand(const char* name, const char* sentence) {
+  return demand<SolverTrial, judge_it>(name, sentence);
+}
+
+}  // namespace geodrome::conformance

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+#include "commands.hpp"
+#include "engine/host/installed.hpp"
+#include "geodrome/engine/input.hpp"
+#include "geodrome/plugin.hpp"
+
+namespace geodrome::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Arguments {
+  std::string name, stage;
+  fs::path folder;
+};
+
+/// A name that serves as part of a file's, a target's and a C++ identifier.
+void check_name(const std::string& name) {
+  const bool right = !name.empty() && name.size() <= 40 && name[0] >= 'a' && name[0] <= 'z' &&
+                     name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
+  if (!right)
+    throw OptionError("'" + name + "' cannot be a plugin's name",
+                      "use small letters, digits and _, a letter first, 40 at most");
+}
+
+/// "my_solver" as "MySolver".
+std::string class_name(const std::string& name) {
+  std::string words;
+  bool capital = true;
+  for (const char c : name) {
+    if (c != '_') words += capital ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    capital = c == '_';
+  }
+  return words;
+}
+
+std::string replaced(std::string text, const std::string& word, const std::string& by) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size())
+    text.replace(at, word.size(), by);
+  return text;
+}
+
+/// The template's placeholders: "template_name" and "TemplateName".
+std::string filled(const std::string& text, const std::string& name) {
+  return replaced(replaced(text, "template_name", name), "TemplateName", class_name(name));
+}
+
+InputError unwritable(const fs::path& path) {
+  return InputError(InputFault::io, path.string() + " cannot be written",
+                    "check the folder, or choose another with -o");
+}
+
+void copy_file(const fs::path& from, const fs::path& to, const std::string& name) {
+  std::ostringstream text;
+  text << std::ifstream(from, std::ios::binary).rdbuf();
+  std::ofstream out(to, std::ios::binary);
+  out << filled(text.str(), name);
+  if (!out.flush()) throw unwritable(to);
+  std::cout << to.string() << "\n";
+}
+
+int run(const Arguments& arguments) {
+  check_name(arguments.name);
+  const fs::path source = installed_data("templates/" + arguments.stage);
+  const fs::path target =
+      arguments.folder.empty() ? fs::path(arguments.stage + "_" + arguments.name) : arguments.folder;
+  if (fs::exists(target))
+    throw InputError(InputFault::io, target.string() + " is there already", "choose another folder with -o");
+  std::error_code error;
+  if (!fs::create_directories(target, error)) throw unwritable(target);
+  for (const auto& entry : fs::directory_iterator(source))
+    copy_file(entry.path(), target / filled(entry.path().filename().string(), arguments.name), arguments.name);
+  return 0;
+}
+
+}  // namespace
+
+void add_plugins_new(CLI::App& plugins, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *plugins.add_subcommand(
+      "new", "Writes a project for a plugin of your own: it builds out of tree against the install and passes 'check'");
+  command.add_option("NAME", arguments->name, "Its name without the stage: small letters, digits, _")->required();
+  command.add_option("--stage", arguments->stage, "The stage it is to serve")
+      ->required()
+      ->check(CLI::IsMember({ShortestPathSolver::stage}))
+      ->type_name("STAGE");
+  command.add_option("-o", arguments->folder, "The folder to be made (default: STAGE_NAME)")->type_name("DIR");
+  command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+}
+
+}  // namespace geodrome::cli
