@@ -41,16 +41,28 @@ TEST_P(FaultySolver, IsFound) {
 }
 
 const Planted planted_faults[] = {
-    {"a_millionth", {"distances.cube", "guarantee.shapes", "surfaces.audit_rough"}, "1.0000009", {"surfaces.components"}},
-    {"single_precision", {"distances.plane", "guarantee.shapes", "invariances.scale"}, "1.41421353", {"requests.source"}},
+    {"a_millionth",
+     {"distances.cube", "guarantee.shapes", "surfaces.audit_rough"},
+     "1.0000009",
+     {"surfaces.components"}},
+    {"single_precision",
+     {"distances.plane", "guarantee.shapes", "invariances.scale"},
+     "1.41421353",
+     {"requests.source"}},
     {"zero_unreachable", {"surfaces.components", "surfaces.loose_vertices"}, "inf / 0", {"distances.plane"}},
     {"ignores_boundary", {"distances.hole", "distances.prism", "guarantee.shapes"}, "at least", {"distances.cube"}},
-    {"shares_results", {"discipline.two_searches", "discipline.two_threads"}, "stays what it is", {"discipline.used_again"}},
+    {"shares_results",
+     {"discipline.two_searches", "discipline.two_threads"},
+     "stays what it is",
+     {"discipline.used_again"}},
     {"hangs", {"surfaces.no_area"}, "still running after 20 s", {"distances.plane"}},
     {"crashes", {"surfaces.three_faces", "surfaces.bow_tie"}, "SIGSEGV", {"distances.plane"}},
     {"leaks", {"discipline.memory_searches", "discipline.memory_surfaces"}, "at most", {"distances.plane"}},
     {"guesses_in_faces", {"distances.plane_any_point", "guarantee.shapes"}, "at most", {"distances.plane"}},
-    {"short_paths", {"paths.lead_to_sources", "paths.lead_into_faces", "surfaces.audit_flat"}, "within", {"distances.plane"}},
+    {"short_paths",
+     {"paths.lead_to_sources", "paths.lead_into_faces", "surfaces.audit_flat"},
+     "within",
+     {"distances.plane"}},
 };
 
 INSTANTIATE_TEST_SUITE_P(Planted, FaultySolver, testing::ValuesIn(planted_faults),

@@ -1,7 +1,7 @@
 # cmake -D STEP=... -D BUILD=... -D SOURCE=... -D WORK=... -D LIBDIR=... -P install_test.cmake
 #
 # One step of the test of the installed package. The steps share WORK: prefix/ (the install), third_party/ (a project
-# built against it). What comes out wrong ends in a FATAL_ERROR.
+# built against it), solver_my_own/ (a project from the template) and my_own/ (its build). What comes out wrong ends in a FATAL_ERROR.
 set(prefix ${WORK}/prefix)
 set(third_party ${WORK}/third_party)
 
@@ -58,7 +58,8 @@ endfunction()
 if(STEP STREQUAL "install")
   file(REMOVE_RECURSE ${WORK})
   run(ignored ${CMAKE_COMMAND} --install ${BUILD} --prefix ${prefix})
-  foreach(file bin/geodrome bin/geodrome-vet ${LIBDIR}/libgeodrome_engine.so include/geodrome/plugin.hpp
+  foreach(file bin/geodrome bin/geodrome-vet bin/geodrome-judge include/geodrome/conformance/gtest.hpp
+          ${LIBDIR}/libgeodrome_engine.so include/geodrome/plugin.hpp
           include/geodrome/engine.hpp ${LIBDIR}/cmake/geodrome/geodromeConfig.cmake)
     if(NOT EXISTS ${prefix}/${file})
       message(FATAL_ERROR "${file} was not installed")
@@ -77,6 +78,20 @@ elseif(STEP STREQUAL "build")
       -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
       -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
   run(ignored ${CMAKE_COMMAND} --build ${third_party})
+elseif(STEP STREQUAL "new")
+  # What a stranger does: a project from the template, built, judged by the program and by its own tests.
+  run(ignored ${CMAKE_COMMAND} -E chdir ${WORK} ${prefix}/bin/geodrome plugins new my_own --stage solver)
+  set(ENV{LD_LIBRARY_PATH} ${prefix}/${LIBDIR})  # also for a build with sanitizers
+  run(ignored ${CMAKE_COMMAND} -S ${WORK}/solver_my_own -B ${WORK}/my_own -G ${GENERATOR}
+      -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+      -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+  run(ignored ${CMAKE_COMMAND} --build ${WORK}/my_own)
+elseif(STEP STREQUAL "new_check")
+  run(verdicts ${prefix}/bin/geodrome plugins check ${WORK}/my_own/lib/geodrome/solver_my_own.so)
+  expect_match("verdicts" "${verdicts}" "solver_my_own: [1-9][0-9]+ held, 0 failed")
+elseif(STEP STREQUAL "new_tests")
+  run(tests ${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/my_own)
+  expect_match("tests" "${tests}" "100% tests passed, 0 tests failed")
 elseif(STEP STREQUAL "library")
   check_library(${prefix})
 elseif(STEP STREQUAL "program")

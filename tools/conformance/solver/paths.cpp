@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: MIT
 // Paths: where they lead, and how long they are.
+#include <algorithm>
+
 #include "engine/report/common_face.hpp"
 #include "tools/conformance/solver/solver_trial.hpp"
 
 namespace geodrome::conformance {
 namespace {
 
-/// One path from `point` to the nearest of the sources at `at`.
-void judge_path(SolverTrial& t, const CommonFace& common, const ShortestPathMap& map, const SurfacePoint& point,
-                const std::vector<SurfacePoint>& at, double scale) {
+/// One path on `mesh` from `point` to the nearest of the sources at `at`.
+void judge_path(SolverTrial& t, const SurfaceMesh& mesh, const CommonFace& common, const ShortestPathMap& map,
+                const SurfacePoint& point, const std::vector<SurfacePoint>& at, double scale) {
   std::vector<SurfacePoint> path;
   map.path(point, path);
-  t.holds(!path.empty(), "a path", "from face ", point.face);
-  if (path.empty()) return;
+  const Index source = map.at(point).source;
+  const bool on_mesh = std::ranges::all_of(path, [&](const SurfacePoint& p) { return p.face < mesh.face_count(); });
+  t.holds(!path.empty() && on_mesh && source < at.size(), "a path on faces of the mesh to one of the sources",
+          "from face ", point.face);
+  if (path.empty() || !on_mesh || source >= at.size()) return;
   t.holds(path.front() == point, "it begins at the point", "from face ", point.face);
-  t.near(common.straight(path.back(), at[map.at(point).source]).value_or(infinity), 0, rounding * scale,
+  t.near(common.straight(path.back(), at[source]).value_or(infinity), 0, rounding * scale,
          "distance of its end from the source, from face ", point.face);
   double length = 0;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -45,7 +50,7 @@ void to_sources(SolverTrial& t, std::uint64_t bits, int corner_sources) {
   for (int i = 0; i < 80; ++i) {
     const SurfacePoint point = t.has(any_point) ? random_point(*mesh, random)
                                                 : mesh->at_vertex(static_cast<Index>(random() % mesh->vertex_count()));
-    judge_path(t, common, map, point, at, 15);
+    judge_path(t, *mesh, common, map, point, at, 15);
   }
 }
 
@@ -69,7 +74,7 @@ void from_the_source(SolverTrial& t) {
   Running running(t.plugin, mesh);
   const CommonFace common(*mesh);
   const SurfacePoint source = mesh->at_vertex(17);
-  judge_path(t, common, running.map({{source}}), source, {source}, 8);
+  judge_path(t, *mesh, common, running.map({{source}}), source, {source}, 8);
 }
 
 }  // namespace
