@@ -94,7 +94,7 @@ TEST(ConformanceKit, NamesEveryDemandOnce) {
 }
 
 TEST(ConformanceKit, LimitsMemory) {
-  const Verdict verdict = judge_in_child(faulty("none"), "guarantee.hostile", {.megabytes = 60});
+  const Verdict verdict = judge_in_child(faulty("none"), "guarantee.hostile", {.megabytes = 1});
   EXPECT_EQ(verdict.outcome, Outcome::failed);
 }
 
