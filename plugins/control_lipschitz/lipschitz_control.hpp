@@ -3,6 +3,7 @@
 
 #include "geodrome/control_function.hpp"
 #include "geodrome/options.hpp"
+#include "plugins/common/points/noise_floor.hpp"
 
 namespace geodrome {
 
@@ -14,9 +15,6 @@ inline constexpr OptionSpec lipschitz_options[] = {
 inline constexpr double phi_factor = 1.0005;
 /// The slope of equation (1); below 1/18 (Lemma 5).
 inline constexpr double psi_slope = 1.19 / 22;
-/// psi is at least this many sigma of the noise that the tangents state: closer points differ by noise more than by
-/// shape, and triangles of that size would follow it. Being the maximum of two Lipschitz functions, psi stays one.
-inline constexpr double noise_factor = 5;
 
 /// The control function of Section 2.2.2: phi by planar Voronoi cells (Theorem 3), capped, and
 /// psi(s) = max over s' of phi'(s') - 1.19/22 |ss'| (equation (1)), bitwise that of the plain double loop.
