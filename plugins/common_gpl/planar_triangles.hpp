@@ -8,15 +8,13 @@
 
 #include "geodrome/finding.hpp"
 #include "geodrome/surface.hpp"
+#include "plugins/common/surfaces/face_bounds.hpp"
 
 namespace geodrome {
 
 /// Which triangles cannot be faces of the surface, by the control function psi at their corners.
 struct FaceRule {
-  /// Lemma 9 bounds an edge by psi at its end; carried out, its proof gives 4.96.
-  static constexpr double edge_bound = 4.96;
-  /// The circumradius beyond which a face closes a hole that the sample shows.
-  static constexpr double radius_bound = 2.5;
+  static constexpr double edge_bound = face_edge_bound, radius_bound = face_radius_bound;
 
   std::span<const Vec3> points;
   std::span<const double> psi;

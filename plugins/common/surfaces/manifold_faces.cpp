@@ -51,6 +51,50 @@ std::size_t drop_minor_fans(std::vector<Triangle>& faces, std::size_t vertex_cou
   }
 }
 
+std::vector<Index> split_vertices(std::span<const Triangle> faces, std::span<const Index> twins,
+                                  std::size_t vertex_count) {
+  const std::vector<Index> fan = fans_of_corners(faces, twins);
+  std::vector<Index> first(vertex_count, no_index);
+  std::vector<bool> split(vertex_count, false);
+  for (Index corner = 0; corner < fan.size(); ++corner) {
+    const Index v = faces[corner / 3][corner % 3];
+    if (first[v] == no_index) first[v] = fan[corner];
+    if (first[v] != fan[corner]) split[v] = true;
+  }
+  std::vector<Index> result;
+  for (Index v = 0; v < vertex_count; ++v)
+    if (split[v]) result.push_back(v);
+  return result;
+}
+
+std::vector<Index> orient_alike(std::vector<Triangle>& faces, std::span<const Index> twins) {
+  const auto from = [&](Index h) { return faces[h / 3][h % 3]; };
+  enum : char { unseen, as_is, turned };
+  std::vector<char> side(faces.size(), unseen);
+  std::vector<Index> waiting, impossible;
+  for (Index seed = 0; seed < faces.size(); ++seed) {
+    if (side[seed] != unseen) continue;
+    side[seed] = as_is;
+    waiting.push_back(seed);
+    while (!waiting.empty()) {
+      const Index f = waiting.back();
+      waiting.pop_back();
+      for (Index h = 3 * f; h < 3 * f + 3; ++h) {
+        if (twins[h] == no_index) continue;
+        const Index g = twins[h] / 3;
+        const bool alike = from(h) != from(twins[h]);
+        const char wanted = alike == (side[f] == as_is) ? as_is : turned;
+        if (side[g] == unseen) side[g] = wanted, waiting.push_back(g);
+        if (side[g] != wanted) impossible.push_back(h);
+      }
+    }
+  }
+  for (Index f = 0; f < faces.size(); ++f)
+    if (side[f] == turned) std::swap(faces[f][1], faces[f][2]);
+  std::sort(impossible.begin(), impossible.end());
+  return impossible;
+}
+
 void orient_outwards(std::vector<Triangle>& faces, std::span<const Vec3> points) {
   const detail::Connectivity connectivity = detail::connect(faces, points.size());
   const std::vector<Index> component_of = vertex_components(faces, points.size());

@@ -12,6 +12,15 @@ namespace geodrome {
 /// until every vertex has one fan. Returns how many faces were dropped. Nothing is done if an edge has over two faces.
 std::size_t drop_minor_fans(std::vector<Triangle>& faces, std::size_t vertex_count);
 
+/// The vertices at which faces meet in several fans, ascending. `twins` as in detail::Connectivity, not empty. O(F).
+std::vector<Index> split_vertices(std::span<const Triangle> faces, std::span<const Index> twins,
+                                  std::size_t vertex_count);
+
+/// Turns faces so that they run alike across every edge, each component as its lowest face does. Returns the half-edges
+/// across which that cannot be, ascending: none if the faces can be oriented. `twins` as for split_vertices, of the
+/// faces as they come. O(F).
+std::vector<Index> orient_alike(std::vector<Triangle>& faces, std::span<const Index> twins);
+
 /// Turns every closed component so that its faces run counter-clockwise seen from outside (positive volume).
 /// The faces must be a manifold and oriented.
 void orient_outwards(std::vector<Triangle>& faces, std::span<const Vec3> points);
