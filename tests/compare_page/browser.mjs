@@ -3,6 +3,7 @@
 import { mkdtemp, readFile, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import path from "node:path";
+import { after } from "node:test";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
@@ -13,18 +14,26 @@ const software_webgl = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-u
 const screenshot_warning = "GPU stall due to ReadPixels";  // Chromium's own, when a screenshot is taken without a GPU
 const no_webgl = ["--disable-3d-apis"];
 
-/** Runs `test(page, log)` on a page with `data` (null: the empty template) in a browser of its own; `log` has all requests and errors. */
+// One browser for each kind that a file of tests needs; every page has a context of its own.
+const browsers = new Map();
+
+function browser(webgl) {
+  if (!browsers.has(webgl))
+    browsers.set(webgl, chromium.launch({ executablePath: process.env.GEODROME_CHROMIUM, args: [...quiet, ...(webgl ? software_webgl : no_webgl)] }));
+  return browsers.get(webgl);
+}
+
+after(async () => {
+  for (const open of browsers.values()) await (await open).close();
+});
+
+/** Runs `test(page, log)` on a page with `data` (null: the empty template); `log` has all requests and errors. */
 export async function with_page(data, test, { viewport = { width: 1280, height: 800 }, dark = false, webgl = true } = {}) {
   const folder = await mkdtemp(path.join(tmpdir(), "geodrome_page_"));
   const template = await readFile(process.env.GEODROME_PAGE, "utf8");
   const file = path.join(folder, "page.html");
   await writeFile(file, data === null ? template : page_of(template, data));
-  const context = await chromium.launchPersistentContext(path.join(folder, "profile"), {
-    executablePath: process.env.GEODROME_CHROMIUM,
-    args: [...quiet, ...(webgl ? software_webgl : no_webgl)],
-    viewport,
-    colorScheme: dark ? "dark" : "light",
-  });
+  const context = await (await browser(webgl)).newContext({ viewport, colorScheme: dark ? "dark" : "light" });
   try {
     const page = await context.newPage();
     const log = listen(page);

@@ -66,7 +66,7 @@ export const columns: Column[] = [
   number("near_max", "Near pairs", "max", ({ errors }) => errors.near.max),
   number("far_mean", "Far pairs", "mean", ({ errors }) => errors.far.mean),
   number("far_max", "Far pairs", "max", ({ errors }) => errors.far.max),
-  number("unreachable", "Targets", "unreach.", ({ unreachable }) => unreachable, (v) => count(v)),
+  number("unreachable", "Targets", "unreach", ({ unreachable }) => unreachable, (v) => count(v)),
   number("reach_differs", "Targets", "differ", ({ reach_differs }) => reach_differs, (v) => count(v)),
   {
     id: "guarantee",

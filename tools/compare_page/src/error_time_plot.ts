@@ -6,7 +6,7 @@ import { type Choice, element, Menu, section } from "./element";
 import { type Figures, type Result, ran } from "./figures";
 import { figure } from "./format";
 import { colour_of, mark_of, symbol_of } from "./identity";
-import { log_axis, pixel, responsive, tick_text, write_labels } from "./plotting";
+import { log_axis, pixel, responsive, smallest, tick_text, write_labels } from "./plotting";
 
 type Measure = (result: Result) => number | null;
 
@@ -43,8 +43,8 @@ function marks_of({ combinations }: Figures, time: Measure, error: Measure): { m
     return [{ place, name: c.name, time: Math.max(t, shortest_time), error: e, y: e }];
   });
   const positive = marks.map(({ error }) => error).filter((e) => e > 0);
-  const floor = (positive.length ? Math.min(...positive) : 1e-16) / 30;
-  for (const mark of marks) if (mark.error <= 0) mark.y = floor;
+  const floor = Math.max((positive.length ? Math.min(...positive) : 1e-16) / 30, smallest);
+  for (const mark of marks) mark.y = Math.max(mark.error, floor);
   return { marks, floor };
 }
 
@@ -80,7 +80,7 @@ function draw(figures: Figures, time: Choice<Measure>, error: Choice<Measure>, w
     ],
   });
   if (width < room_for_labels) return element("div", {}, drawn, legend(marks));
-  write_labels(drawn, marks.map((m) => ({ x: pixel(drawn, "x", m.time), y: pixel(drawn, "y", m.y), text: m.name })), width);
+  write_labels(drawn, marks.map((m) => ({ x: pixel(drawn, "x", m.time), y: pixel(drawn, "y", m.y), lift: m.y === floor ? 12 : 0, text: m.name })), width);
   return drawn;
 }
 

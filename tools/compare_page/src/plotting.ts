@@ -21,6 +21,10 @@ export function responsive(draw: (width: number) => Node): { node: HTMLElement; 
   return { node, redraw };
 }
 
+// Of a logarithmic axis: room for its ends to be moved outwards.
+export const smallest = 1e-300;
+const largest = 1e300;
+
 export interface LogAxis {
   domain: [number, number];
   ticks: number[];
@@ -30,8 +34,8 @@ const power_of_ten = (exponent: number) => Number(`1e${exponent}`);
 
 /** A logarithmic axis around positive values, with at most about `most` ticks: decades, or 1, 2, 5 where there are few. */
 export function log_axis(values: number[], most: number): LogAxis {
-  const low = Math.min(...values) / 1.5;
-  const high = Math.max(...values) * 1.5;
+  const low = Math.max(Math.min(...values) / 1.5, smallest);
+  const high = Math.min(Math.max(...values) * 1.5, largest);
   const first = Math.floor(Math.log10(low));
   const last = Math.ceil(Math.log10(high));
   const step = Math.ceil((last - first) / most);
@@ -51,6 +55,8 @@ export const tick_text = (value: number) => {
 interface Label {
   x: number;
   y: number;
+  /** How much higher than its point it should stand, if there is room. */
+  lift: number;
   text: string;
 }
 
@@ -63,9 +69,9 @@ export function write_labels(drawn: Drawn, labels: Label[], width: number): void
   group.setAttribute("class", "labels");
   group.setAttribute("text-anchor", "start");
   const taken: { left: number; right: number; y: number }[] = labels.map(({ x, y }) => ({ left: x - 5, right: x + 5, y }));
-  for (const { x, y, text } of labels) {
+  for (const { x, y, lift, text } of labels) {
     const length = text.length * letter_width;
-    const places = [0, -12, 12, -24, 24, -36, 36].flatMap((dy) => [
+    const places = [-lift, 0, -12, 12, -24, 24, -36, 36].flatMap((dy) => [
       { left: x + 9, right: x + 9 + length, y: y + dy },
       { left: x - 9 - length, right: x - 9, y: y + dy },
     ]);

@@ -29,7 +29,7 @@ function name_cell(combination: Combination, place: number, toggle: HTMLElement 
 
 function failed_rows(combination: Combination, place: number): HTMLTableRowElement[] {
   const { text, status } = combination.error!;
-  const said = element("td", { class: "failed", colspan: String(columns.length) }, `did not run (status ${status}): ${text}`);
+  const said = element("td", { class: "failed", colspan: String(columns.length) }, element("span", {}, `did not run (status ${status}): ${text}`));
   return [element("tr", { "data-combination": String(place) }, name_cell(combination, place, null), said)];
 }
 
