@@ -106,6 +106,22 @@ test("the empty template says what it is", () =>
     assert.deepEqual(log.errors, []);
   }));
 
+test("a combination that has nothing to compare has no errors, which is not the same as errors of 0", () => {
+  const data = sample();
+  const [first, ...rest] = data.combinations;
+  const none = { compared: 0, mean: null, max: null };
+  const { decades, counts } = first.errors.histogram;
+  const errors = { ...none, max_over: null, max_under: null, quantiles: {}, near: none, far: none, histogram: { decades, counts: counts.map(() => 0), zero: 0 } };
+  return with_page({ ...data, combinations: [{ ...first, errors }, ...rest] }, async (page, log) => {
+    for (const column of ["mean", "max_over", "max_under", "near_max"]) assert.equal(await page.locator(`tbody [data-column=${column}]`).first().textContent(), "–");
+    for (const place of [0, 1, 2, 3, 4]) {
+      await choose(page, "error", place);
+      assert.equal(await page.locator("#error-time .combination-mark").count(), rest.length - 1);
+    }
+    assert.deepEqual(log.errors, []);
+  });
+});
+
 test("data of another schema is refused by name", () =>
   with_page({ ...sample(), schema: "geodrome-comparison/9" }, async (page) => {
     assert.match(await page.locator("main").textContent(), /the data is "geodrome-comparison\/9", this page shows "geodrome-comparison\/1"/);

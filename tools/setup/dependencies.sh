@@ -6,8 +6,10 @@ set -euo pipefail
 packages=(
   build-essential cmake ninja-build pkg-config ccache
   libboost-dev libcgal-dev libeigen3-dev libflann-dev liblz4-dev libmetis-dev libopenmesh-dev libxxhash-dev
-  libcli11-dev nlohmann-json3-dev libgtest-dev librapidcheck-dev
+  libcli11-dev nlohmann-json3-dev libgtest-dev librapidcheck-dev chromium
 )
+# Node may be here from elsewhere; Debian's packages would then conflict with it.
+command -v npm >/dev/null || packages+=(nodejs npm)
 
 missing=()
 for package in "${packages[@]}"; do

@@ -23,7 +23,9 @@ function number(id: string, group: string, label: string, value: Column["value"]
 }
 
 /** Of |D/T - 1|: the largest of both signs. */
-export const largest_error = ({ errors }: Result) => Math.max(Math.abs(errors.max_over), Math.abs(errors.max_under));
+export function largest_error({ errors: { max_over, max_under } }: Result): number | null {
+  return max_over === null || max_under === null ? null : Math.max(Math.abs(max_over), Math.abs(max_under));
+}
 
 /** Of all stages before the solver; null where there are none. */
 export function stage_seconds({ seconds }: Result): number | null {

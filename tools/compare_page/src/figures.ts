@@ -34,10 +34,10 @@ export interface Result {
   memory: { peak_bytes: number | null; prepared_bytes: number | null };
   errors: {
     compared: number;
-    max_over: number;
-    max_under: number;
-    mean: number;
-    quantiles: Record<string, number>;
+    max_over: number | null;  // null: nothing was compared
+    max_under: number | null;
+    mean: number | null;
+    quantiles: Record<string, number | null>;
     near: ErrorSummary;
     far: ErrorSummary;
     histogram: { decades: number[]; counts: number[]; zero: number };
