@@ -9,9 +9,16 @@ import { chromium } from "playwright-core";
 import { PNG } from "pngjs";
 import { page_of } from "./sample.mjs";
 
-const quiet = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--disable-component-update", "--disable-sync", "--no-first-run"];
+const quiet = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--no-first-run",
+];
 const software_webgl = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const screenshot_warning = "GPU stall due to ReadPixels";  // Chromium's own, when a screenshot is taken without a GPU
+const screenshot_warning = "GPU stall due to ReadPixels"; // Chromium's own, when a screenshot is taken without a GPU
 const no_webgl = ["--disable-3d-apis"];
 
 // One browser for each kind that a file of tests needs; every page has a context of its own.
@@ -19,7 +26,10 @@ const browsers = new Map();
 
 function browser(webgl) {
   if (!browsers.has(webgl))
-    browsers.set(webgl, chromium.launch({ executablePath: process.env.GEODROME_CHROMIUM, args: [...quiet, ...(webgl ? software_webgl : no_webgl)] }));
+    browsers.set(
+      webgl,
+      chromium.launch({ executablePath: process.env.GEODROME_CHROMIUM, args: [...quiet, ...(webgl ? software_webgl : no_webgl)] }),
+    );
   return browsers.get(webgl);
 }
 
@@ -61,7 +71,10 @@ function listen(page) {
 export async function settled(page) {
   let before = -1;
   for (;;) {
-    const frames = await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => done(window.geodrome.frames), 30)))));
+    const frames = await page.evaluate(
+      () =>
+        new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => done(window.geodrome.frames), 30)))),
+    );
     if (frames === before) return;
     before = frames;
   }

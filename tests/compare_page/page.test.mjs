@@ -5,7 +5,13 @@ import { test } from "node:test";
 import { choose, picture, settled, share, with_page } from "./browser.mjs";
 import { sample } from "./sample.mjs";
 
-const headings = ["Combinations", "Error against time", "Relative errors, share of targets", "Growth with the number of faces", "The surface"];
+const headings = [
+  "Combinations",
+  "Error against time",
+  "Relative errors, share of targets",
+  "Growth with the number of faces",
+  "The surface",
+];
 
 async function use_everything(page) {
   await page.locator("button.toggle").first().click();
@@ -27,7 +33,9 @@ test("the page asks nothing of any network and reports no errors, whatever is us
 test("the policy of the page lets no script run but its own", () =>
   with_page(sample(), async (page) => {
     const ran = await page.evaluate(async () => {
-      const refused = new Promise((done) => document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => done(effectiveDirective), { once: true }));
+      const refused = new Promise((done) =>
+        document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => done(effectiveDirective), { once: true }),
+      );
       const script = document.createElement("script");
       script.textContent = "window.hacked = 1";
       document.body.append(script);
@@ -51,14 +59,29 @@ test("strings that look like markup are shown as they are", () =>
 test("the head names input, truth, sources and version", () =>
   with_page(sample(), async (page) => {
     const head = await page.locator("header").textContent();
-    for (const text of ["torus.ply", "1,260 vertices", "2,496 faces", "Exact distances of chen_han", "row 0", "581", "0.1.0", "7, of which 1 did not run"])
+    for (const text of [
+      "torus.ply",
+      "1,260 vertices",
+      "2,496 faces",
+      "Exact distances of chen_han",
+      "row 0",
+      "581",
+      "0.1.0",
+      "7, of which 1 did not run",
+    ])
       assert.ok(head.includes(text), `${text} is not in: ${head}`);
   }));
 
 test("dark follows the reader's choice", async () => {
   const brightness = async (dark) => {
     let bright;
-    await with_page(sample(), async (page) => { bright = share(await picture(page.locator("body")), (colour) => colour.every((c) => c > 200)); }, { dark });
+    await with_page(
+      sample(),
+      async (page) => {
+        bright = share(await picture(page.locator("body")), (colour) => colour.every((c) => c > 200));
+      },
+      { dark },
+    );
     return bright;
   };
   assert.ok((await brightness(false)) > 0.7);
@@ -86,7 +109,10 @@ test("the table of a mesh fits at a width of 1280", () =>
 
 test("sections without data are left out or say so", () =>
   with_page({ ...sample({ growth: false }), view: undefined }, async (page, log) => {
-    assert.deepEqual(await page.locator("h2").allTextContents(), headings.filter((h) => !h.startsWith("Growth")));
+    assert.deepEqual(
+      await page.locator("h2").allTextContents(),
+      headings.filter((h) => !h.startsWith("Growth")),
+    );
     assert.match(await page.locator("#surface").textContent(), /no surface to show/);
     assert.deepEqual(log.errors, []);
   }));
@@ -111,9 +137,18 @@ test("a combination that has nothing to compare has no errors, which is not the 
   const [first, ...rest] = data.combinations;
   const none = { compared: 0, mean: null, max: null };
   const { decades, counts } = first.errors.histogram;
-  const errors = { ...none, max_over: null, max_under: null, quantiles: {}, near: none, far: none, histogram: { decades, counts: counts.map(() => 0), zero: 0 } };
+  const errors = {
+    ...none,
+    max_over: null,
+    max_under: null,
+    quantiles: {},
+    near: none,
+    far: none,
+    histogram: { decades, counts: counts.map(() => 0), zero: 0 },
+  };
   return with_page({ ...data, combinations: [{ ...first, errors }, ...rest] }, async (page, log) => {
-    for (const column of ["mean", "max_over", "max_under", "near_max"]) assert.equal(await page.locator(`tbody [data-column=${column}]`).first().textContent(), "–");
+    for (const column of ["mean", "max_over", "max_under", "near_max"])
+      assert.equal(await page.locator(`tbody [data-column=${column}]`).first().textContent(), "–");
     for (const place of [0, 1, 2, 3, 4]) {
       await choose(page, "error", place);
       assert.equal(await page.locator("#error-time .combination-mark").count(), rest.length - 1);
@@ -124,13 +159,17 @@ test("a combination that has nothing to compare has no errors, which is not the 
 
 test("data of another schema is refused by name", () =>
   with_page({ ...sample(), schema: "geodrome-comparison/9" }, async (page) => {
-    assert.match(await page.locator("main").textContent(), /the data is "geodrome-comparison\/9", this page shows "geodrome-comparison\/1"/);
+    assert.match(
+      await page.locator("main").textContent(),
+      /the data is "geodrome-comparison\/9", this page shows "geodrome-comparison\/1"/,
+    );
   }));
 
 test("the notices of all that is bundled are in the page", () =>
   with_page(sample(), async (page) => {
     const notices = await page.locator("footer pre").textContent();
-    for (const name of ["three", "@observablehq/plot", "d3-scale-chromatic", "d3-array"]) assert.match(notices, new RegExp(`^${name} \\d.*\\((MIT|ISC)\\)$`, "m"));
+    for (const name of ["three", "@observablehq/plot", "d3-scale-chromatic", "d3-array"])
+      assert.match(notices, new RegExp(`^${name} \\d.*\\((MIT|ISC)\\)$`, "m"));
     assert.match(notices, /Copyright © 2010-2\d+ three\.js authors/);
   }));
 
@@ -139,7 +178,13 @@ test("keys reach the table, its heads, the menus and the canvas", () =>
     const reached = new Set();
     for (let i = 0; i < 80; ++i) {
       await page.keyboard.press("Tab");
-      reached.add(await page.evaluate(() => { const e = document.activeElement; return e.name || e.className || e.closest("[data-column]")?.dataset.column || e.localName; }));
+      reached.add(
+        await page.evaluate(() => {
+          const e = document.activeElement;
+          return e.name || e.className || e.closest("[data-column]")?.dataset.column || e.localName;
+        }),
+      );
     }
-    for (const what of ["scroll", "mean", "toggle", "combination", "isolines", "canvas"]) assert.ok(reached.has(what), `${what} not in ${[...reached]}`);
+    for (const what of ["scroll", "mean", "toggle", "combination", "isolines", "canvas"])
+      assert.ok(reached.has(what), `${what} not in ${[...reached]}`);
   }));

@@ -33,7 +33,9 @@ test("the plot of errors has a mark and a label for each combination that ran, i
 test("both axes of the plot of errors are logarithmic", () =>
   with_page(data, async (page) => {
     const found = await marks(page);
-    const positive = ran.map((c, i) => ({ x: Math.log(c.seconds.per_source), y: Math.log(c.errors.mean), at: found[i] })).filter(({ y }) => Number.isFinite(y));
+    const positive = ran
+      .map((c, i) => ({ x: Math.log(c.seconds.per_source), y: Math.log(c.errors.mean), at: found[i] }))
+      .filter(({ y }) => Number.isFinite(y));
     for (const axis of ["x", "y"]) {
       const [a, b, c] = [...positive].sort((p, q) => p[axis] - q[axis]).filter((_, i, all) => [0, 1, all.length - 1].includes(i));
       const share = (b[axis] - a[axis]) / (c[axis] - a[axis]);
@@ -72,7 +74,10 @@ test("a histogram has a bar for each count and one for zeros, in proportion", ()
       const all = counts.reduce((sum, n) => sum + n, zero);
       assert.equal(all, errors.compared, "the sample is sound");
       const shares = [zero, ...counts].filter((n) => n > 0).map((n) => n / all);
-      const heights = await drawn.nth(i).locator(".bars rect").evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("height"))));
+      const heights = await drawn
+        .nth(i)
+        .locator(".bars rect")
+        .evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("height"))));
       assert.equal(heights.length, shares.length, name);
       unit ??= heights[0] / shares[0];
       heights.forEach((height, k) => assert.ok(Math.abs(height - unit * shares[k]) < 0.51, `${name}: bar ${k} is ${height} high`));
@@ -83,7 +88,15 @@ test("growth has a curve for each combination with figures, a point for each siz
   with_page(data, async (page) => {
     const plots = page.locator("#growth figure");
     const titles = await plots.locator("figcaption").allTextContents();
-    assert.deepEqual(titles, ["seconds per source", "seconds to prepare", "peak memory, MB", "windows", "propagated_faces", "nodes", "pops"]);
+    assert.deepEqual(titles, [
+      "seconds per source",
+      "seconds to prepare",
+      "peak memory, MB",
+      "windows",
+      "propagated_faces",
+      "nodes",
+      "pops",
+    ]);
     const curves = async (title) => plots.nth(titles.indexOf(title)).locator(".curve path").count();
     assert.equal(await curves("seconds per source"), ran.length);
     assert.equal(await curves("peak memory, MB"), ran.length - 1);
@@ -103,7 +116,11 @@ test("one size alone has no exponent", () => {
 
 test("plots fill their room when it changes", () =>
   with_page(data, async (page) => {
-    const width = () => page.locator("#error-time svg").last().evaluate((svg) => svg.getBoundingClientRect().width);
+    const width = () =>
+      page
+        .locator("#error-time svg")
+        .last()
+        .evaluate((svg) => svg.getBoundingClientRect().width);
     const wide = await width();
     await page.setViewportSize({ width: 600, height: 800 });
     await settled(page);

@@ -9,7 +9,9 @@ const [page, test] = process.argv.slice(2);
 function chromium() {
   if (process.env.GEODROME_CHROMIUM) return process.env.GEODROME_CHROMIUM;
   const folders = process.env.PATH.split(path.delimiter);
-  return ["chromium", "chromium-browser", "google-chrome"].flatMap((name) => folders.map((folder) => path.join(folder, name))).find(existsSync);
+  return ["chromium", "chromium-browser", "google-chrome"]
+    .flatMap((name) => folders.map((folder) => path.join(folder, name)))
+    .find(existsSync);
 }
 
 const browser = chromium();

@@ -32,8 +32,7 @@ function grid_faces(first, rings, sides, closed) {
 
 function surface_of(rings, sides) {
   const torus = [];
-  for (let i = 0; i < rings; ++i)
-    for (let j = 0; j < sides; ++j) torus.push({ u: (around * i) / rings, v: (around * j) / sides });
+  for (let i = 0; i < rings; ++i) for (let j = 0; j < sides; ++j) torus.push({ u: (around * i) / rings, v: (around * j) / sides });
   const [belts, steps] = [12, 9];
   const sphere = [];
   for (let i = 0; i < belts; ++i)
@@ -83,7 +82,9 @@ function histogram_of(errors) {
 }
 
 function errors_summary(signed, truths) {
-  const pairs = signed.map((e, i) => ({ size: Math.abs(e), truth: truths[i] })).filter(({ size, truth }) => Number.isFinite(size) && truth > 0);
+  const pairs = signed
+    .map((e, i) => ({ size: Math.abs(e), truth: truths[i] }))
+    .filter(({ size, truth }) => Number.isFinite(size) && truth > 0);
   const sizes = pairs.map(({ size }) => size).sort((a, b) => a - b);
   const mean = (list) => (list.length ? list.reduce((s, x) => s + x, 0) / list.length : null);
   const longest = Math.max(...pairs.map(({ truth }) => truth));
@@ -106,12 +107,72 @@ function errors_summary(signed, truths) {
 }
 
 const kinds = [
-  { name: "delaunay_cut, chen_han", factor: 1, never_shorter: true, error: () => 0, seconds: 0.00729, held: true, paths: true, exponent: 1.5, counters: { windows: 52341, propagated_faces: 9177 } },
-  { name: "delaunay_cut, cgal", factor: 1, never_shorter: true, error: (r) => (r() < 0.6 ? 0 : (r() - 0.5) * 3e-15), seconds: 0.2085, held: true, paths: true, exponent: 1.7, counters: { windows: 81002 } },
-  { name: "delaunay_cut, aleksandrov:delta=0.1", factor: 1.1, never_shorter: true, error: (r, d) => (0.002 + 0.02 * r()) / (1 + 3 * d), seconds: 0.0481, held: true, paths: true, exponent: 1.1, counters: { nodes: 220120.5 } },
-  { name: "delaunay_cut, edge_dijkstra", factor: null, never_shorter: true, error: (r, d, p) => 0.12 * Math.abs(Math.sin(3 * p.u) * Math.cos(2 * p.v)), seconds: 0.000244, held: null, paths: true, exponent: 1.02, counters: {} },
-  { name: "advancing_front, heat", factor: null, never_shorter: false, error: (r, d, p) => 0.03 * Math.sin(2 * p.u + p.v) + 0.3 * Math.exp(-20 * d), seconds: 0.0019, held: null, paths: false, exponent: 1.15, counters: {} },
-  { name: "advancing_front, boastful", factor: 1.01, never_shorter: true, error: (r, d, p) => -0.04 * Math.cos(p.u) ** 2, seconds: 0.013, held: false, paths: false, exponent: 1.3, counters: { pops: 1234567 } },
+  {
+    name: "delaunay_cut, chen_han",
+    factor: 1,
+    never_shorter: true,
+    error: () => 0,
+    seconds: 0.00729,
+    held: true,
+    paths: true,
+    exponent: 1.5,
+    counters: { windows: 52341, propagated_faces: 9177 },
+  },
+  {
+    name: "delaunay_cut, cgal",
+    factor: 1,
+    never_shorter: true,
+    error: (r) => (r() < 0.6 ? 0 : (r() - 0.5) * 3e-15),
+    seconds: 0.2085,
+    held: true,
+    paths: true,
+    exponent: 1.7,
+    counters: { windows: 81002 },
+  },
+  {
+    name: "delaunay_cut, aleksandrov:delta=0.1",
+    factor: 1.1,
+    never_shorter: true,
+    error: (r, d) => (0.002 + 0.02 * r()) / (1 + 3 * d),
+    seconds: 0.0481,
+    held: true,
+    paths: true,
+    exponent: 1.1,
+    counters: { nodes: 220120.5 },
+  },
+  {
+    name: "delaunay_cut, edge_dijkstra",
+    factor: null,
+    never_shorter: true,
+    error: (r, d, p) => 0.12 * Math.abs(Math.sin(3 * p.u) * Math.cos(2 * p.v)),
+    seconds: 0.000244,
+    held: null,
+    paths: true,
+    exponent: 1.02,
+    counters: {},
+  },
+  {
+    name: "advancing_front, heat",
+    factor: null,
+    never_shorter: false,
+    error: (r, d, p) => 0.03 * Math.sin(2 * p.u + p.v) + 0.3 * Math.exp(-20 * d),
+    seconds: 0.0019,
+    held: null,
+    paths: false,
+    exponent: 1.15,
+    counters: {},
+  },
+  {
+    name: "advancing_front, boastful",
+    factor: 1.01,
+    never_shorter: true,
+    error: (r, d, p) => -0.04 * Math.cos(p.u) ** 2,
+    seconds: 0.013,
+    held: false,
+    paths: false,
+    exponent: 1.3,
+    counters: { pops: 1234567 },
+  },
 ];
 
 const hostile_name = `</script><img src=x onerror="window.hacked=1"><b>bold</b>`;
@@ -136,7 +197,12 @@ function invariants_of(kind) {
   return [
     { name: "D >= Euclid", holds: kind.held !== false, worst: kind.held === false ? -0.04 : 0, promised },
     { name: "D(s,s) = 0", holds: true, worst: 0, promised: true },
-    { name: "symmetry", holds: kind.factor === 1 ? true : kind.never_shorter ? null : false, worst: kind.never_shorter ? null : 0.021, promised: kind.factor === 1 },
+    {
+      name: "symmetry",
+      holds: kind.factor === 1 ? true : kind.never_shorter ? null : false,
+      worst: kind.never_shorter ? null : 0.021,
+      promised: kind.factor === 1,
+    },
     { name: "triangle inequality", holds: true, worst: 1e-16, promised: true },
   ];
 }
@@ -157,18 +223,42 @@ function result_of(kind, surface, from, growth) {
   const memory = kind.name.includes("cgal") ? null : Math.round(kind.seconds * 3e8 + 1e6);
   const result = {
     name: kind.name,
-    stages: { tangent: "jet", control: "lipschitz", decimator: "greedy", reconstructor: kind.name.split(",")[0], solver: kind.name.split(", ")[1] ?? "hostile" },
+    stages: {
+      tangent: "jet",
+      control: "lipschitz",
+      decimator: "greedy",
+      reconstructor: kind.name.split(",")[0],
+      solver: kind.name.split(", ")[1] ?? "hostile",
+    },
     error: null,
     factor: kind.factor,
     never_shorter: kind.never_shorter,
     surface: { vertices: surface.positions.length, faces: surface.faces.length },
-    seconds: { stages: { tangent: 0.0312, control: 0.1204, decimator: 0.0021, reconstructor: 0.2503 }, prepare: 0.00197, per_source: kind.seconds, sources: from.map((_, i) => kind.seconds * (0.9 + 0.1 * i)) },
+    seconds: {
+      stages: { tangent: 0.0312, control: 0.1204, decimator: 0.0021, reconstructor: 0.2503 },
+      prepare: 0.00197,
+      per_source: kind.seconds,
+      sources: from.map((_, i) => kind.seconds * (0.9 + 0.1 * i)),
+    },
     memory: { peak_bytes: memory, prepared_bytes: 481234 },
-    errors: errors_summary(searches.flatMap((s) => s.errors), searches.flatMap((s) => s.truths)),
+    errors: errors_summary(
+      searches.flatMap((s) => s.errors),
+      searches.flatMap((s) => s.truths),
+    ),
     reach_differs: kind.never_shorter ? 0 : 2,
     unreachable: from.length * (surface.positions.length - surface.torus.length),
     invariants: invariants_of(kind),
-    guarantee: { stated: kind.factor, worst: kind.factor === null ? null : 1.0003, held: kind.held, why: kind.held === null ? "the solver states no factor" : kind.held ? "no distance above the factor" : "row 17 is shorter than the truth" },
+    guarantee: {
+      stated: kind.factor,
+      worst: kind.factor === null ? null : 1.0003,
+      held: kind.held,
+      why:
+        kind.held === null
+          ? "the solver states no factor"
+          : kind.held
+            ? "no distance above the factor"
+            : "row 17 is shorter than the truth",
+    },
     counters: kind.counters,
     growth: growth ? growth_of(kind, surface, memory) : [],
   };
@@ -195,15 +285,27 @@ export function sample({ rings = 48, sides = 24, growth = true, hostile = false 
   return {
     schema: "geodrome-comparison/1",
     version: "0.1.0",
-    input: { file: hostile ? `${hostile_name}.ply` : "torus.ply", kind: "mesh", rows: surface.positions.length, faces: surface.faces.length, diagonal: 4.031 },
+    input: {
+      file: hostile ? `${hostile_name}.ply` : "torus.ply",
+      kind: "mesh",
+      rows: surface.positions.length,
+      faces: surface.faces.length,
+      diagonal: 4.031,
+    },
     sources: from.map((row, i) => ({ entry: String(row), row: i === 0 ? row : null, position: surface.positions[row] })),
     targets: surface.positions.length,
-    truth: { kind: "exact", name: "chen_han", text: hostile ? `truth ${hostile_name}` : "Exact distances of chen_han on the surface of each combination." },
+    truth: {
+      kind: "exact",
+      name: "chen_han",
+      text: hostile ? `truth ${hostile_name}` : "Exact distances of chen_han on the surface of each combination.",
+    },
     near: 0.05,
     far: 0.25,
     combinations: [...results.map(({ result }) => result), failure],
     view: {
-      surfaces: [{ positions: base64(Float32Array.from(surface.positions.flat())), triangles: base64(Uint32Array.from(surface.faces.flat())) }],
+      surfaces: [
+        { positions: base64(Float32Array.from(surface.positions.flat())), triangles: base64(Uint32Array.from(surface.faces.flat())) },
+      ],
       combinations: [...results.map(({ view }) => ({ surface: 0, sources: view })), null],
     },
   };

@@ -8,7 +8,11 @@ import { sample } from "./sample.mjs";
 const data = sample({ growth: false });
 // A small window: without a GPU, pixels cost time.
 const with_page = (shown, body, options) => with_any_page(shown, body, { viewport: { width: 800, height: 640 }, ...options });
-const isolines = (page, value) => page.locator("input[name=isolines]").fill(String(value)).then(() => settled(page));
+const isolines = (page, value) =>
+  page
+    .locator("input[name=isolines]")
+    .fill(String(value))
+    .then(() => settled(page));
 const canvas = (page) => picture(page.locator("canvas").first());
 
 const grey = ([r, g, b]) => Math.max(r, g, b) - Math.min(r, g, b) < 8;
@@ -28,7 +32,11 @@ test("the surface is drawn, in many colours, beside empty ground", () =>
     assert.ok(await page.evaluate(() => window.geodrome.frames > 0));
   }));
 
-for (const [menu, place, least] of [["field", 1, 0.05], ["source", 1, 0.05], ["combination", 4, 0.002]])
+for (const [menu, place, least] of [
+  ["field", 1, 0.05],
+  ["source", 1, 0.05],
+  ["combination", 4, 0.002],
+])
   test(`another ${menu} changes what is seen`, () =>
     with_page(data, async (page) => {
       await choose(page, "path", 0);
@@ -231,7 +239,12 @@ test("a cortex of 20,000 vertices, 5 sources and 4 combinations opens in seconds
   const four = (list) => [0, 2, 3, 4].map((i) => list[i]);
   const twice_and_more = (list) => [0, 1, 0, 1, 0].map((i) => list[i]);
   const combinations = four(large.view.combinations).map((view) => ({ ...view, sources: twice_and_more(view.sources) }));
-  const data_of_20k = { ...large, sources: twice_and_more(large.sources), combinations: four(large.combinations), view: { ...large.view, combinations } };
+  const data_of_20k = {
+    ...large,
+    sources: twice_and_more(large.sources),
+    combinations: four(large.combinations),
+    view: { ...large.view, combinations },
+  };
   return with_page(data_of_20k, async (page) => {
     const { duration } = await page.evaluate(() => performance.getEntriesByType("navigation")[0].toJSON());
     assert.ok(duration < 10000, `${duration} ms`);

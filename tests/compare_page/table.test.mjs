@@ -54,12 +54,19 @@ test("a click on the head of a column sorts by it, another one the other way rou
   with_page(data, async (page) => {
     for (const [column, value_of] of Object.entries(expected)) {
       const head = page.locator(`th[data-column=${column}][scope=col]`);
-      for (const [direction, sign] of [["ascending", 1], ["descending", -1]]) {
+      for (const [direction, sign] of [
+        ["ascending", 1],
+        ["descending", -1],
+      ]) {
         await head.locator("button").click();
         assert.equal(await head.getAttribute("aria-sort"), direction);
         assert.equal(await page.locator("[aria-sort]").count(), 1);
         const places = await order(page);
-        assert.deepEqual([...places].sort((a, b) => a - b), data.combinations.map((_, i) => i), column);
+        assert.deepEqual(
+          [...places].sort((a, b) => a - b),
+          data.combinations.map((_, i) => i),
+          column,
+        );
         assert.equal(places.at(-1), data.combinations.length - 1, "what did not run comes last");
         const values = places.slice(0, -1).map((place) => value_of(ran[place]));
         const known = values.filter((value) => value !== null);
@@ -74,7 +81,10 @@ test("names sort too, by the keyboard", () =>
     await page.locator("th[data-column=name][scope=col] button").focus();
     await page.keyboard.press("Enter");
     const names = (await order(page)).slice(0, -1).map((place) => ran[place].name);
-    assert.deepEqual(names, ran.map(({ name }) => name).sort((a, b) => a.localeCompare(b)));
+    assert.deepEqual(
+      names,
+      ran.map(({ name }) => name).sort((a, b) => a.localeCompare(b)),
+    );
   }));
 
 test("details stay with their row when it is sorted elsewhere", () =>
@@ -95,7 +105,14 @@ test("what did not run shows its error and status", () =>
 test("promises are told in words", () =>
   with_page(data, async (page) => {
     const words = async (column) => Promise.all(ran.map((_, place) => cell(page, place, column).textContent()));
-    assert.deepEqual(await words("guarantee"), ["exact: held", "exact: held", "≤ 1.1: held", "none stated", "none stated", "≤ 1.01: BROKEN"]);
+    assert.deepEqual(await words("guarantee"), [
+      "exact: held",
+      "exact: held",
+      "≤ 1.1: held",
+      "none stated",
+      "none stated",
+      "≤ 1.01: BROKEN",
+    ]);
     assert.deepEqual(await words("invariants"), ["all hold", "all hold", "all hold", "all hold", "1 not promised", "1 BROKEN"]);
   }));
 
@@ -114,7 +131,18 @@ test("details have stages, counters, quantiles, invariants and each source's sec
     await toggle.click();
     assert.equal(await toggle.getAttribute("aria-expanded"), "true");
     const rows = await page.locator("#details-0 tr").allTextContents();
-    for (const text of ["reconstructordelaunay_cut0.250", "windows52,341", "propagated_faces9,177", "50 % are at most0", "99 % are at most0", "D >= Euclidholds0", "symmetryholds–", "row 06.56e-3", "5817.29e-3", "targets compared2,302"])
+    for (const text of [
+      "reconstructordelaunay_cut0.250",
+      "windows52,341",
+      "propagated_faces9,177",
+      "50 % are at most0",
+      "99 % are at most0",
+      "D >= Euclidholds0",
+      "symmetryholds–",
+      "row 06.56e-3",
+      "5817.29e-3",
+      "targets compared2,302",
+    ])
       assert.ok(rows.includes(text), `${text} is not among:\n${rows.join("\n")}`);
     await toggle.click();
     assert.ok(await page.locator("#details-0").isHidden());

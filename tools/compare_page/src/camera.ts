@@ -7,7 +7,7 @@ export type Axis = "x" | "y" | "z";
 
 const turn = Math.PI / 24;
 const zoom = 1.15;
-const distance = 1.85;  // the surface has a diagonal of 1
+const distance = 1.85; // the surface has a diagonal of 1
 const axes: Record<Axis, THREE.Vector3> = { x: new THREE.Vector3(1, 0, 0), y: new THREE.Vector3(0, 1, 0), z: new THREE.Vector3(0, 0, 1) };
 
 /** A camera that looks at the origin. */

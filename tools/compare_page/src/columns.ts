@@ -54,7 +54,13 @@ export function invariants_text(result: Result): string {
 }
 
 export const columns: Column[] = [
-  number("faces", "Surface", "faces", ({ surface }) => surface.faces, (v) => count(v)),
+  number(
+    "faces",
+    "Surface",
+    "faces",
+    ({ surface }) => surface.faces,
+    (v) => count(v),
+  ),
   number("stages", "Time, s", "stages", stage_seconds),
   number("prepare", "Time, s", "prepare", ({ seconds }) => seconds.prepare),
   number("per_source", "Time, s", "source", ({ seconds }) => seconds.per_source),
@@ -68,8 +74,20 @@ export const columns: Column[] = [
   number("near_max", "Near pairs", "max", ({ errors }) => errors.near.max),
   number("far_mean", "Far pairs", "mean", ({ errors }) => errors.far.mean),
   number("far_max", "Far pairs", "max", ({ errors }) => errors.far.max),
-  number("unreachable", "Targets", "unreach", ({ unreachable }) => unreachable, (v) => count(v)),
-  number("reach_differs", "Targets", "differ", ({ reach_differs }) => reach_differs, (v) => count(v)),
+  number(
+    "unreachable",
+    "Targets",
+    "unreach",
+    ({ unreachable }) => unreachable,
+    (v) => count(v),
+  ),
+  number(
+    "reach_differs",
+    "Targets",
+    "differ",
+    ({ reach_differs }) => reach_differs,
+    (v) => count(v),
+  ),
   {
     id: "guarantee",
     group: "Promises",

@@ -17,7 +17,9 @@ function block(caption: string, head: string[], rows: Row[]): HTMLElement | null
     element(
       "tbody",
       {},
-      ...rows.map(([name, ...cells]) => element("tr", {}, element("th", { scope: "row" }, name), ...cells.map((cell) => element("td", {}, cell)))),
+      ...rows.map(([name, ...cells]) =>
+        element("tr", {}, element("th", { scope: "row" }, name), ...cells.map((cell) => element("td", {}, cell))),
+      ),
     ),
   );
 }
@@ -26,7 +28,9 @@ const stage_rows = ({ stages, seconds }: Result) =>
   Object.entries(stages).map(([stage, choice]): Row => [stage, choice, stage === "solver" ? "" : figure(seconds.stages[stage])]);
 
 function error_rows({ errors }: Result): Row[] {
-  const quantiles = Object.entries(errors.quantiles).map(([share, value]) => [Number(share), value] as const).sort(([a], [b]) => a - b);
+  const quantiles = Object.entries(errors.quantiles)
+    .map(([share, value]) => [Number(share), value] as const)
+    .sort(([a], [b]) => a - b);
   return [
     ["targets compared", count(errors.compared)],
     ["of them exact", count(errors.histogram.zero)],
@@ -43,15 +47,35 @@ export function details(result: Result, source_names: string[]): HTMLElement {
     "div",
     { class: "details" },
     element("p", {}, element("strong", {}, "Guarantee: "), reason),
-    element("p", {}, result.never_shorter ? "The solver states that no distance is below the true one." : "The solver may err to both sides."),
+    element(
+      "p",
+      {},
+      result.never_shorter ? "The solver states that no distance is below the true one." : "The solver may err to both sides.",
+    ),
     element(
       "div",
       { class: "blocks" },
-      block(`Stages; surface of ${counted(result.surface.faces, "face")}, ${count(result.surface.vertices)} vertices`, ["stage", "plugin", "s"], stage_rows(result)),
+      block(
+        `Stages; surface of ${counted(result.surface.faces, "face")}, ${count(result.surface.vertices)} vertices`,
+        ["stage", "plugin", "s"],
+        stage_rows(result),
+      ),
       block("Errors |D/T − 1|", [], error_rows(result)),
-      block("Invariants", ["", "", "worst"], invariants.map((i): Row => [i.name, invariant_text(i), figure(i.worst)])),
-      block("Counters, mean of a source", [], Object.entries(counters).map(([name, value]): Row => [name, count(value)])),
-      block("Seconds of each source", [], seconds.sources.map((s, i): Row => [source_names[i] ?? String(i), figure(s)])),
+      block(
+        "Invariants",
+        ["", "", "worst"],
+        invariants.map((i): Row => [i.name, invariant_text(i), figure(i.worst)]),
+      ),
+      block(
+        "Counters, mean of a source",
+        [],
+        Object.entries(counters).map(([name, value]): Row => [name, count(value)]),
+      ),
+      block(
+        "Seconds of each source",
+        [],
+        seconds.sources.map((s, i): Row => [source_names[i] ?? String(i), figure(s)]),
+      ),
     ),
   );
 }

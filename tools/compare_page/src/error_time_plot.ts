@@ -13,7 +13,10 @@ type Measure = (result: Result) => number | null;
 const times: Choice<Measure>[] = [
   { label: "seconds per source", value: ({ seconds }) => seconds.per_source },
   { label: "seconds to prepare and search once", value: ({ seconds }) => seconds.prepare + seconds.per_source },
-  { label: "seconds in all (stages, prepare, sources)", value: (r) => (stage_seconds(r) ?? 0) + r.seconds.prepare + r.seconds.sources.reduce((a, b) => a + b, 0) },
+  {
+    label: "seconds in all (stages, prepare, sources)",
+    value: (r) => (stage_seconds(r) ?? 0) + r.seconds.prepare + r.seconds.sources.reduce((a, b) => a + b, 0),
+  },
 ];
 const errors: Choice<Measure>[] = [
   { label: "mean relative error", value: (r) => r.errors.mean },
@@ -31,7 +34,7 @@ interface Mark {
   y: number;
 }
 
-const shortest_time = 1e-9;  // what a clock tells apart
+const shortest_time = 1e-9; // what a clock tells apart
 const room_for_labels = 520;
 
 /** The marks, and the floor where errors of 0 are drawn: a decade and a half below the others. */
@@ -55,8 +58,14 @@ function draw(figures: Figures, time: Choice<Measure>, error: Choice<Measure>, w
   const { marks, floor } = marks_of(figures, time.value, error.value);
   if (marks.length === 0) return element("p", {}, "Nothing to draw: no combination has such an error.");
   const zeros = marks.some((mark) => mark.y === floor);
-  const x = log_axis(marks.map((mark) => mark.time), width > 500 ? 9 : 5);
-  const y = log_axis(marks.map((mark) => mark.y), 9);
+  const x = log_axis(
+    marks.map((mark) => mark.time),
+    width > 500 ? 9 : 5,
+  );
+  const y = log_axis(
+    marks.map((mark) => mark.y),
+    9,
+  );
   const options = (mark: Mark) => ({
     x: "time" as const,
     y: "y" as const,
@@ -72,15 +81,31 @@ function draw(figures: Figures, time: Choice<Measure>, error: Choice<Measure>, w
     marginLeft: 56,
     ariaLabel: `${error.label} against ${time.label}, both logarithmic`,
     x: { type: "log", ...x, tickFormat: tick_text, label: time.label, grid: true },
-    y: { type: "log", domain: y.domain, ticks: y.ticks.filter((t) => !zeros || t > floor * 3), tickFormat: tick_text, label: error.label, grid: true },
+    y: {
+      type: "log",
+      domain: y.domain,
+      ticks: y.ticks.filter((t) => !zeros || t > floor * 3),
+      tickFormat: tick_text,
+      label: error.label,
+      grid: true,
+    },
     marks: [
-      ...(zeros ? [Plot.ruleY([floor], { strokeDasharray: "4 3", className: "floor" }), Plot.text([floor], { y: (v: number) => v, frameAnchor: "left", dx: -8, textAnchor: "end", text: () => "0" })] : []),
+      ...(zeros
+        ? [
+            Plot.ruleY([floor], { strokeDasharray: "4 3", className: "floor" }),
+            Plot.text([floor], { y: (v: number) => v, frameAnchor: "left", dx: -8, textAnchor: "end", text: () => "0" }),
+          ]
+        : []),
       ...marks.map((mark) => Plot.dot([mark], { ...options(mark), className: "combination-mark" })),
       Plot.tip(marks, Plot.pointer({ x: "time", y: "y", title })),
     ],
   });
   if (width < room_for_labels) return element("div", {}, drawn, legend(marks));
-  write_labels(drawn, marks.map((m) => ({ x: pixel(drawn, "x", m.time), y: pixel(drawn, "y", m.y), lift: m.y === floor ? 12 : 0, text: m.name })), width);
+  write_labels(
+    drawn,
+    marks.map((m) => ({ x: pixel(drawn, "x", m.time), y: pixel(drawn, "y", m.y), lift: m.y === floor ? 12 : 0, text: m.name })),
+    width,
+  );
   return drawn;
 }
 

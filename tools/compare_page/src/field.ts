@@ -60,7 +60,9 @@ export function field_of(source: SourceView, kind: FieldKind, range: number | nu
     high: reach,
     smallest,
     largest,
-    shade: Float32Array.from(values, (v) => (reach > 0 ? Math.min(Math.max((finite(v) - low) / (reach - low), 0), 1) : kind === "error" ? 0.5 : 0)),
+    shade: Float32Array.from(values, (v) =>
+      reach > 0 ? Math.min(Math.max((finite(v) - low) / (reach - low), 0), 1) : kind === "error" ? 0.5 : 0,
+    ),
     distance: Float32Array.from(distances, (d) => (largest_distance > 0 ? finite(d) / largest_distance : 0)),
     largest_distance,
     unreached,

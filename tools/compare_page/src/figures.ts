@@ -34,7 +34,7 @@ export interface Result {
   memory: { peak_bytes: number | null; prepared_bytes: number | null };
   errors: {
     compared: number;
-    max_over: number | null;  // null: nothing was compared
+    max_over: number | null; // null: nothing was compared
     max_under: number | null;
     mean: number | null;
     quantiles: Record<string, number | null>;

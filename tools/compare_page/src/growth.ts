@@ -59,8 +59,26 @@ function draw(curves: Curve[], label: string, width: number): Node {
     height: 240,
     marginLeft: 52,
     ariaLabel: `${label} against faces, both logarithmic`,
-    x: { type: "log", ...log_axis(points.map((p) => p.faces), width > 350 ? 6 : 4), tickFormat: tick_text, label: "faces", grid: true },
-    y: { type: "log", ...log_axis(points.map((p) => p.y), 6), tickFormat: tick_text, label: null, grid: true },
+    x: {
+      type: "log",
+      ...log_axis(
+        points.map((p) => p.faces),
+        width > 350 ? 6 : 4,
+      ),
+      tickFormat: tick_text,
+      label: "faces",
+      grid: true,
+    },
+    y: {
+      type: "log",
+      ...log_axis(
+        points.map((p) => p.y),
+        6,
+      ),
+      tickFormat: tick_text,
+      label: null,
+      grid: true,
+    },
     marks: curves.flatMap(({ place, name, points }) => [
       Plot.line(points, { x: "faces", y: "y", stroke: colour_of(place), className: "curve" }),
       Plot.dot(points, {
@@ -110,5 +128,10 @@ export function growth(figures: Figures): HTMLElement | null {
     const plot = responsive((width) => draw(curves, quantity.label, width)).node;
     return element("figure", { class: "growth" }, element("figcaption", {}, quantity.label), plot);
   });
-  return section("growth", "Growth with the number of faces", element("div", { class: "multiples" }, ...plots), exponents_table(figures, quantities));
+  return section(
+    "growth",
+    "Growth with the number of faces",
+    element("div", { class: "multiples" }, ...plots),
+    exponents_table(figures, quantities),
+  );
 }

@@ -25,7 +25,9 @@ function bars_of({ errors: { histogram } }: Result, zero: number): Bar[] {
     const [from, to] = [decades[i]!, decades[i + 1]!];
     return { from, to, share: n / all, text: `${figure(10 ** from)} to ${figure(10 ** to)}\n${told(n)}` };
   });
-  return [{ from: zero, to: zero + 1, share: histogram.zero / all, text: `no error\n${told(histogram.zero)}` }, ...bars].filter((bar) => bar.share > 0);
+  return [{ from: zero, to: zero + 1, share: histogram.zero / all, text: `no error\n${told(histogram.zero)}` }, ...bars].filter(
+    (bar) => bar.share > 0,
+  );
 }
 
 interface Frame {
@@ -55,7 +57,12 @@ function draw(result: Result, place: number, { zero, first, last, highest }: Fra
     marginTop: 8,
     marginBottom: 24,
     ariaLabel: `Histogram of relative errors of ${result.name}`,
-    x: { domain: [zero - 0.3, last], ticks: [zero + 0.5, ...decades.filter((d) => d % step === 0)], tickFormat: (d: number) => (d < first ? "0" : d === 0 ? "1" : `1e${d}`), label: null },
+    x: {
+      domain: [zero - 0.3, last],
+      ticks: [zero + 0.5, ...decades.filter((d) => d % step === 0)],
+      tickFormat: (d: number) => (d < first ? "0" : d === 0 ? "1" : `1e${d}`),
+      label: null,
+    },
     y: { domain: [0, highest], ticks: 3, tickFormat: (share: number) => `${Math.round(100 * share)} %`, label: null, grid: true },
     marks: [
       Plot.ruleX([first - 0.5], { strokeOpacity: 0.35, strokeDasharray: "2 3" }),

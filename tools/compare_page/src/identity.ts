@@ -1,6 +1,16 @@
 // SPDX-License-Identifier: MIT
 // How a combination is told from the others: by a colour and by the shape of its mark, so that colour alone never matters.
-import { symbol, symbolCircle, symbolCross, symbolDiamond, symbolSquare, symbolStar, symbolTriangle, symbolWye, type SymbolType } from "d3-shape";
+import {
+  symbol,
+  symbolCircle,
+  symbolCross,
+  symbolDiamond,
+  symbolSquare,
+  symbolStar,
+  symbolTriangle,
+  symbolWye,
+  type SymbolType,
+} from "d3-shape";
 
 // Readable on white and on near-black.
 const colours = ["#3778c6", "#d2691e", "#1b9074", "#a05fd0", "#cf4560", "#7f8420", "#2497b4", "#99694f"];

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The page of `geodrome compare --html`: reads the data that the engine put into it, and shows it section by section.
-import { element } from "./element";
+import { element, section } from "./element";
 import { error_time_plot } from "./error_time_plot";
 import { type Comparison, read_comparison } from "./figures";
 import { growth } from "./growth";
 import { header } from "./header";
 import { histograms } from "./histograms";
 import { surface_section } from "./surface_section";
-import { section } from "./element";
 import { table } from "./table";
 
 declare global {

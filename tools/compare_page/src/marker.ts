@@ -2,15 +2,18 @@
 // A disc that marks a place on a surface: always of one size, faint where the surface hides it.
 import * as THREE from "three";
 
-const size = 0.022;     // of the height of the view
-const pull = 0.03;      // towards the eye, as a share of the way: the disc is not cut by the surface that it lies on
+const size = 0.022; // of the height of the view
+const pull = 0.03; // towards the eye, as a share of the way: the disc is not cut by the surface that it lies on
 const hidden_opacity = 0.35;
 
 function disc(inner: string, outer: string): THREE.Texture {
   const canvas = document.createElement("canvas");
   canvas.width = canvas.height = 64;
   const pen = canvas.getContext("2d")!;
-  for (const [colour, radius] of [[outer, 30], [inner, 19]] as const) {
+  for (const [colour, radius] of [
+    [outer, 30],
+    [inner, 19],
+  ] as const) {
     pen.fillStyle = colour;
     pen.beginPath();
     pen.arc(32, 32, radius, 0, 2 * Math.PI);

@@ -9,7 +9,7 @@ import type { Frame } from "./frame";
 import { Marker } from "./marker";
 import { SurfaceMaterial } from "./surface_material";
 
-const path_colour = 0xff2bd6;  // on neither colour map
+const path_colour = 0xff2bd6; // on neither colour map
 
 export class Scene {
   readonly camera: THREE.PerspectiveCamera;
@@ -121,7 +121,13 @@ export class Scene {
 function path_line(points: Float32Array, hidden: boolean): Line2 {
   const geometry = new LineGeometry();
   geometry.setPositions(points);
-  const material = new LineMaterial({ color: path_colour, linewidth: 3, depthTest: !hidden, transparent: hidden, opacity: hidden ? 0.3 : 1 });
+  const material = new LineMaterial({
+    color: path_colour,
+    linewidth: 3,
+    depthTest: !hidden,
+    transparent: hidden,
+    opacity: hidden ? 0.3 : 1,
+  });
   const line = new Line2(geometry, material);
   line.renderOrder = hidden ? 2 : 1;
   return line;

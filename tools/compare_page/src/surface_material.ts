@@ -68,7 +68,7 @@ export class SurfaceMaterial extends THREE.ShaderMaterial {
       fragmentShader: fragment_shader,
       uniforms: { colours: { value: null }, isolines: { value: 0 } },
       side: THREE.DoubleSide,
-      polygonOffset: true,  // paths on the surface stay in front of it
+      polygonOffset: true, // paths on the surface stay in front of it
       polygonOffsetFactor: 1,
       polygonOffsetUnits: 2,
     });

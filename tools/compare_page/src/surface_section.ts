@@ -25,9 +25,30 @@ class SurfaceSection {
   private readonly beside_: Menu<number | null>;
   private readonly source_: Menu<number>;
   private readonly path_: Menu<number | null>;
-  private readonly kind_ = new Menu<FieldKind>("Colour:", "field", [{ label: "distance", value: "distance" }, { label: "signed error", value: "error" }], () => this.show());
-  private readonly range_ = new Menu<boolean>("Error colours:", "range", [{ label: "to its own range", value: false }, { label: "to the range of all", value: true }], () => this.show());
-  private readonly up_ = new Menu<Axis>("Up:", "up", (["z", "y", "x"] as const).map((axis) => ({ label: axis, value: axis })), () => this.reset());
+  private readonly kind_ = new Menu<FieldKind>(
+    "Colour:",
+    "field",
+    [
+      { label: "distance", value: "distance" },
+      { label: "signed error", value: "error" },
+    ],
+    () => this.show(),
+  );
+  private readonly range_ = new Menu<boolean>(
+    "Error colours:",
+    "range",
+    [
+      { label: "to its own range", value: false },
+      { label: "to the range of all", value: true },
+    ],
+    () => this.show(),
+  );
+  private readonly up_ = new Menu<Axis>(
+    "Up:",
+    "up",
+    (["z", "y", "x"] as const).map((axis) => ({ label: axis, value: axis })),
+    () => this.reset(),
+  );
   private readonly slider_ = element("input", { type: "range", name: "isolines", min: "0", step: "1" });
   private readonly spacing_ = element("output");
   private spacings_: number[] = [];
@@ -37,10 +58,17 @@ class SurfaceSection {
     context_of: (canvas: HTMLCanvasElement) => WebGL2RenderingContext,
     drawn: () => void,
   ) {
-    const combinations = data_.combinations.map(({ name }, value) => ({ label: name, value })).filter(({ value }) => data_.view!.combinations[value]);
+    const combinations = data_.combinations
+      .map(({ name }, value) => ({ label: name, value }))
+      .filter(({ value }) => data_.view!.combinations[value]);
     this.combination_ = new Menu("Combination:", "combination", combinations, () => this.choose_source());
     this.beside_ = new Menu<number | null>("Beside it:", "beside", [{ label: "none", value: null }, ...combinations], () => this.show());
-    this.source_ = new Menu("Source:", "source", data_.sources.map(({ entry, row }, value) => ({ label: row === null ? entry : `row ${row}`, value })), () => this.choose_source());
+    this.source_ = new Menu(
+      "Source:",
+      "source",
+      data_.sources.map(({ entry, row }, value) => ({ label: row === null ? entry : `row ${row}`, value })),
+      () => this.choose_source(),
+    );
     this.path_ = new Menu<number | null>("Path:", "path", [{ label: "none", value: null }], () => this.show());
     this.frame_ = new Frame(floats(data_.view!.surfaces[data_.view!.combinations[this.combination_.value]!.surface]!.positions));
     const view = () => new SurfaceView(data_, this.frame_, this.camera_, context_of, drawn);
@@ -51,7 +79,12 @@ class SurfaceSection {
     back.addEventListener("click", () => this.reset());
     const isolines = element("label", {}, "Isolines: ", this.slider_, " ", this.spacing_);
     const menus = [this.combination_, this.beside_, this.source_, this.kind_, this.range_, this.path_].map((menu) => menu.node);
-    this.node = element("div", {}, element("div", { class: "controls" }, ...menus, isolines, this.up_.node, back), element("div", { class: "views" }, ...this.views_.map((v) => v.node)));
+    this.node = element(
+      "div",
+      {},
+      element("div", { class: "controls" }, ...menus, isolines, this.up_.node, back),
+      element("div", { class: "views" }, ...this.views_.map((v) => v.node)),
+    );
     this.choose_source();
     this.reset();
   }
@@ -64,7 +97,10 @@ class SurfaceSection {
   private choose_source(): void {
     const { paths } = this.source_view;
     const had_none = this.spacings_.length === 0;
-    const choices = paths.map(({ target, distance }, value): Choice<number | null> => ({ label: `to row ${target}, D = ${figure(distance)}`, value }));
+    const choices = paths.map(({ target, distance }, value): Choice<number | null> => ({
+      label: `to row ${target}, D = ${figure(distance)}`,
+      value,
+    }));
     this.path_.offer([{ label: paths.length ? "none" : "none (the solver gives none here)", value: null }, ...choices]);
     const longest = largest_distance(this.source_view);
     this.spacings_ = isoline_spacings(longest);
@@ -80,7 +116,13 @@ class SurfaceSection {
     const spacing = this.spacings_[Number(this.slider_.value) - 1] ?? null;
     this.spacing_.textContent = spacing === null ? "none" : `every ${figure(spacing, 1)}`;
     this.slider_.setAttribute("aria-valuetext", this.spacing_.textContent);
-    const selection = { source: this.source_.value, kind: this.kind_.value, common_range: this.range_.value, spacing, path: this.path_.value };
+    const selection = {
+      source: this.source_.value,
+      kind: this.kind_.value,
+      common_range: this.range_.value,
+      spacing,
+      path: this.path_.value,
+    };
     const [first, second] = this.views_;
     const beside = this.beside_.value;
     second.node.hidden = beside === null;

@@ -97,7 +97,14 @@ function legend(field: Field): HTMLElement[] {
   const beyond = field.kind === "error";
   const at = (share: number) => field.low + share * (field.high - field.low);
   const signed = (value: number) => (beyond && value > 0 ? "+" : "") + figure(value);
-  const prefix = (share: number) => (!beyond || field.high === 0 ? "" : share === 0 && field.smallest < field.low ? "≤ " : share === 1 && field.largest > field.high ? "≥ " : "");
+  const prefix = (share: number) =>
+    !beyond || field.high === 0
+      ? ""
+      : share === 0 && field.smallest < field.low
+        ? "≤ "
+        : share === 1 && field.largest > field.high
+          ? "≥ "
+          : "";
   const numbers = [0, 0.25, 0.5, 0.75, 1].map((share) => element("span", {}, prefix(share) + signed(at(share))));
   const bar = element("div", { class: "bar" });
   bar.style.backgroundImage = colour_gradient(field.kind);
@@ -114,5 +121,12 @@ function legend(field: Field): HTMLElement[] {
 
 function swatch(kind: string, vertices: number, words: string): HTMLElement[] {
   if (vertices === 0) return [];
-  return [element("p", {}, element("span", { class: `swatch ${kind}` }), ` ${count(vertices)} ${vertices === 1 ? "vertex" : "vertices"} ${words}`)];
+  return [
+    element(
+      "p",
+      {},
+      element("span", { class: `swatch ${kind}` }),
+      ` ${count(vertices)} ${vertices === 1 ? "vertex" : "vertices"} ${words}`,
+    ),
+  ];
 }

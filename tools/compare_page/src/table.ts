@@ -20,23 +20,41 @@ function cell(column: Column, combination: Combination & { error: null }): HTMLT
   const text = column.text(value, combination);
   const title = column.title?.(combination) ?? (value === null ? "not measured" : exactly(value));
   const shown = column.kind === "number" && value !== null ? element("data", { value: exactly(value) }, text) : text;
-  return element("td", { "data-column": column.id, class: column.kind, title }, shown);
+  const kind = column.kind + (text.endsWith("BROKEN") ? " broken" : "");
+  return element("td", { "data-column": column.id, class: kind, title }, shown);
 }
 
 function name_cell(combination: Combination, place: number, toggle: HTMLElement | null): HTMLElement {
-  return element("th", { scope: "row", "data-column": "name" }, toggle, ran(combination) ? mark_of(place) : null, " ", ...breakable(combination.name));
+  return element(
+    "th",
+    { scope: "row", "data-column": "name" },
+    toggle,
+    ran(combination) ? mark_of(place) : null,
+    " ",
+    ...breakable(combination.name),
+  );
 }
 
 function failed_rows(combination: Combination, place: number): HTMLTableRowElement[] {
   const { text, status } = combination.error!;
-  const said = element("td", { class: "failed", colspan: String(columns.length) }, element("span", {}, `did not run (status ${status}): ${text}`));
+  const said = element(
+    "td",
+    { class: "failed", colspan: String(columns.length) },
+    element("span", {}, `did not run (status ${status}): ${text}`),
+  );
   return [element("tr", { "data-combination": String(place) }, name_cell(combination, place, null), said)];
 }
 
 function rows_of(combination: Combination, place: number, source_names: string[]): HTMLTableRowElement[] {
   if (!ran(combination)) return failed_rows(combination, place);
   const id = `details-${place}`;
-  const toggle = element("button", { type: "button", class: "toggle", "aria-expanded": "false", "aria-controls": id, "aria-label": `Details of ${combination.name}` });
+  const toggle = element("button", {
+    type: "button",
+    class: "toggle",
+    "aria-expanded": "false",
+    "aria-controls": id,
+    "aria-label": `Details of ${combination.name}`,
+  });
   const more = element("tr", { id, class: "more", hidden: "" });
   toggle.addEventListener("click", () => {
     if (!more.hasChildNodes()) more.append(element("td", { colspan: String(columns.length + 1) }, details(combination, source_names)));
@@ -72,7 +90,13 @@ function group_row(): HTMLTableRowElement {
 }
 
 /** The head of a column: a button; `sort` is told in which direction. */
-function sort_head(id: string, kind: string, group: string, label: string, sort: (head: HTMLElement, direction: Direction) => void): HTMLElement {
+function sort_head(
+  id: string,
+  kind: string,
+  group: string,
+  label: string,
+  sort: (head: HTMLElement, direction: Direction) => void,
+): HTMLElement {
   const button = element("button", { type: "button", "aria-label": group ? `${group}: ${label}` : null }, label);
   const head = element("th", { scope: "col", class: kind, "data-column": id }, button);
   button.addEventListener("click", () => sort(head, head.getAttribute("aria-sort") === "ascending" ? "descending" : "ascending"));
@@ -81,7 +105,11 @@ function sort_head(id: string, kind: string, group: string, label: string, sort:
 
 export function table({ combinations, sources }: Figures): HTMLElement {
   const source_names = sources.map(({ entry, row }) => (row === null ? entry : `row ${row}`));
-  const entries = combinations.map((combination, place): Entry => ({ combination, place, rows: rows_of(combination, place, source_names) }));
+  const entries = combinations.map((combination, place): Entry => ({
+    combination,
+    place,
+    rows: rows_of(combination, place, source_names),
+  }));
   const body = element("tbody", {}, ...entries.flatMap(({ rows }) => rows));
   const heads = element("tr");
   const sort_by = (column: Column | null) => (head: HTMLElement, direction: Direction) => {
@@ -91,7 +119,9 @@ export function table({ combinations, sources }: Figures): HTMLElement {
   };
   heads.append(sort_head("name", "words", "", "combination", sort_by(null)));
   heads.append(...columns.map((column) => sort_head(column.id, column.kind, column.group, column.label, sort_by(column))));
-  const caption = `A click on a head sorts, ${nothing} is not measured. Source: median of a source. Over, under: the largest D/T − 1 of both signs. Errors compare targets that both reach.`;
+  const caption =
+    `A click on a head sorts, ${nothing} is not measured. Source: median of a source. ` +
+    "Over, under: the largest D/T − 1 of both signs. Errors compare targets that both reach.";
   return element(
     "div",
     { class: "scroll", tabindex: "0", role: "region", "aria-label": "Table of combinations" },
