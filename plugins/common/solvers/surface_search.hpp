@@ -112,8 +112,8 @@ const ShortestPathMap& SurfaceSearch<Propagation>::run(std::span<const Source> s
   with_source_.assign(mesh(), surface_->components(), sources_);
   const double units = std::ldexp(1.0, surface_->exponent());
   propagation_.begin(keep_ == Keep::map, radius_ * units);
-  seed(units);
   watch(request);
+  seed(units);  // lines of a source that nearly lies on an edge cross the next face at once, and targets in it
   std::size_t polls = 0;  // looking at all targets must not cost more than the search
   propagation_.run(context, [&] {
     const bool look =

@@ -89,6 +89,42 @@ void hostile(SolverTrial& t) {
     against(t, exact, share(shapes::hostile(family.name, 0)), 2, family.name);
 }
 
+/// A point of a face at its corner `corner`, so near to it that only the other two coordinates tell the difference.
+SurfacePoint beside_corner(Index face, int corner, double size, std::mt19937_64& random) {
+  SurfacePoint point{face, {}};
+  point.b[(corner + 1) % 3] = size * uniform(random), point.b[(corner + 2) % 3] = size * size * uniform(random);
+  point.b[corner] = 1 - point.b[(corner + 1) % 3] - point.b[(corner + 2) % 3];
+  return point;
+}
+
+/// One point in each face at a vertex.
+std::vector<SurfacePoint> around(const SurfaceMesh& mesh, Index vertex, double size, std::mt19937_64& random) {
+  std::vector<SurfacePoint> points;
+  for (Index h = 0; h < 3 * mesh.face_count(); ++h)
+    if (mesh.from(h) == vertex) points.push_back(beside_corner(h / 3, static_cast<int>(h % 3), size, random));
+  return points;
+}
+
+void close_pairs(SolverTrial& t) {
+  t.needs(face_sources | any_point | never_shorter);
+  if (t.has_factor()) t.needs(factor_any_point);
+  const MeshPtr mesh = bumpy_torus(16, 8, 0.1, 71);
+  t.needs_fit(mesh);
+  Running judged(t.plugin, mesh), truth(t.reference(), mesh);
+  std::mt19937_64 random(73);
+  for (const double size : {1e-2, 1e-4, 1e-6, 1e-8})
+    for (Index v = 0; v < mesh->vertex_count(); v += 9) {
+      const std::vector<SurfacePoint> points = around(*mesh, v, size, random);
+      const ShortestPathMap& wanted = truth.run({{points.front()}}, {.targets = points});
+      for (const Keep keep : {Keep::targets, Keep::map}) {
+        const ShortestPathMap& values = judged.run({{points.front()}}, {.targets = points, .keep = keep});
+        for (const SurfacePoint& to : points)
+          t.distance(values.at(to).value, wanted.at(to).value, 3, "vertex ", v, ", ", size, " of an edge away, face ",
+                     to.face, keep == Keep::map ? ", the map kept" : ", targets kept");
+      }
+    }
+}
+
 void given(SolverTrial& t) {
   if (t.subject.meshes.empty()) throw NotApplicable{"no mesh was given"};
   needs_a_bound(t);
@@ -110,6 +146,8 @@ DemandTable guarantee_demands() {
       solver_demand<fuzz>("guarantee.fuzz",
                           "so it does on random meshes with holes, needles, bow-ties, several components"),
       solver_demand<hostile>("guarantee.hostile", "so it does on meshes built to break solvers"),
+      solver_demand<close_pairs>("guarantee.close_pairs",
+                                 "so it does between points around a vertex, down to 1e-8 of an edge"),
       solver_demand<given>("guarantee.given", "so it does on the meshes that were given"),
   };
 }
