@@ -5,10 +5,11 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
-#include <mutex>
 
 #include "engine/report/face_weight.hpp"
+#include "engine/run/counter_sum.hpp"
 #include "engine/run/parallel_rows.hpp"
+#include "engine/run/query_identity.hpp"
 #include "engine/run/stage_context.hpp"
 
 namespace geodrome {
@@ -35,26 +36,6 @@ std::string time_text(double seconds) {
   if (seconds < 120) return printed("about %.0f s", seconds);
   return seconds < 7200 ? printed("about %.0f min", seconds / 60) : printed("about %.1f h", seconds / 3600);
 }
-
-/// Adds a search's counters up; those that are named "largest_..." are combined by maximum.
-class CounterSum {
- public:
-  void add(const PreparedSolver& solver, std::span<const Counter> counters) {
-    const std::lock_guard lock(mutex_);
-    cross_boundary(solver.plugin.info, [&] {
-      for (const Counter& counter : counters) {
-        std::uint64_t& sum = sums_[counter.name];
-        sum =
-            std::string_view(counter.name).starts_with("largest_") ? std::max(sum, counter.value) : sum + counter.value;
-      }
-    });
-  }
-  std::map<std::string, std::uint64_t> sums() const { return sums_; }
-
- private:
-  std::mutex mutex_;
-  std::map<std::string, std::uint64_t> sums_;
-};
 
 /// The computation of single rows, the same for the first and for all others.
 class RowMaker {
@@ -146,21 +127,6 @@ std::vector<std::uint64_t> missing_rows(const MatrixFile& file, std::uint64_t ro
   for (std::uint64_t i = 0; i < rows; ++i)
     if (!file.has(i)) missing.push_back(i);
   return missing;
-}
-
-/// A query's row of the input; one that is no row gets an identity of its own beyond all rows.
-std::vector<std::uint64_t> identities(std::span<const Query> queries, std::uint64_t first_free) {
-  std::vector<std::uint64_t> ids;
-  for (const Query& query : queries) ids.push_back(query.row != no_index ? query.row : first_free++);
-  return ids;
-}
-
-std::vector<Vec3> points_of(std::span<const Query> queries) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  std::vector<Vec3> points;
-  for (const Query& query : queries)
-    points.push_back(query.place.state == Place::State::dropped ? Vec3{nan, nan, nan} : query.place.position);
-  return points;
 }
 
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,

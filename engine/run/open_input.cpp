@@ -42,16 +42,21 @@ void tell_sample(const Opened& opened, const RunSettings& settings, Observer& ob
 
 }  // namespace
 
+Input read_and_tell(const std::filesystem::path& file, const RunSettings& settings, Observer& observer) {
+  Input input = read_input(file, settings.read);
+  std::vector<Finding> findings = input.findings;
+  if (input.kind == InputKind::mesh) std::erase_if(findings, is_no_news);
+  tell(findings, observer);
+  if (input.kind == InputKind::mesh) tell_unused(settings.stages, observer);
+  return input;
+}
+
 Opened try_open(const std::filesystem::path& file, const PluginHost& host, const RunSettings& settings,
                 Observer& observer) {
   Opened opened;
   const Stopwatch reading;
-  opened.input = read_input(file, settings.read);
+  opened.input = read_and_tell(file, settings, observer);
   opened.read_seconds = reading.seconds();
-  std::vector<Finding> findings = opened.input.findings;
-  if (opened.input.kind == InputKind::mesh) std::erase_if(findings, is_no_news);
-  tell(findings, observer);
-  if (opened.input.kind == InputKind::mesh) tell_unused(settings.stages, observer);
   const Stopwatch making;
   SurfaceAttempt attempt = try_surface(opened.input, host, settings, observer);
   opened.surface = std::move(attempt.surface), opened.refusal = std::move(attempt.refusal);

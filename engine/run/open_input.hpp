@@ -13,6 +13,9 @@ struct Opened {
   double read_seconds = 0, surface_seconds = 0;
 };
 
+/// Reads and checks the file, and tells the observer what was found (of a mesh: warnings only).
+Input read_and_tell(const std::filesystem::path& file, const RunSettings& settings, Observer& observer);
+
 /// Reads and checks the file, runs stages 1 to 4, and tells the observer what was found on the way (of a
 /// mesh: warnings only).
 Opened try_open(const std::filesystem::path& file, const PluginHost& host, const RunSettings& settings,

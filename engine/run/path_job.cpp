@@ -4,12 +4,12 @@
 
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/number_text.hpp"
-#include "engine/report/common_face.hpp"
 #include "engine/report/json.hpp"
 #include "engine/run/check_outputs.hpp"
 #include "engine/run/query_rule.hpp"
 #include "engine/run/source_surface.hpp"
 #include "engine/run/stage_context.hpp"
+#include "engine/run/traced_path.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -69,34 +69,6 @@ Format format_of(const std::filesystem::path& file) {
   throw OptionError(file.string() + ": a path is written as .obj, .csv or .json");
 }
 
-/// The length of a polyline, weighted where the mesh has weights: there only the faces that hold a step tell its cost.
-double length_of(const PathResult& path, const SurfaceMesh& mesh) {
-  double length = 0;
-  if (mesh.face_weights().empty()) {
-    for (std::size_t i = 1; i < path.positions.size(); ++i)
-      length += distance(path.positions[i - 1], path.positions[i]);
-    return length;
-  }
-  const CommonFace common(mesh);
-  for (std::size_t i = 1; i < path.points.size(); ++i) {
-    const auto step = common.straight(path.points[i - 1], path.points[i]);
-    if (!step)
-      throw NumericalError("gave a path with a step that lies in no face",
-                           "choose another solver, and report this to the author of the plugin");
-    length += *step;
-  }
-  return length;
-}
-
-/// The vertices of a path from `to` to `from`, turned round.
-void trace(const PreparedSolver& solver, const ShortestPathMap& map, const Query& to, const SurfaceMesh& mesh,
-           PathResult& result) {
-  cross_boundary(solver.plugin.info, [&] { map.path(to.place.at, result.points); });
-  std::reverse(result.points.begin(), result.points.end());
-  for (const SurfacePoint& point : result.points) result.positions.push_back(mesh.position(point));
-  result.length = cross_boundary(solver.plugin.info, [&] { return length_of(result, mesh); });
-}
-
 PathResult find_path(const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
   const Query &from = on.source, &to = on.targets->queries()[0];
   PathResult result;
@@ -112,8 +84,10 @@ PathResult find_path(const PreparedSolver& solver, const SourceSurface& on, RunC
       run_search(solver, *search, {&source, 1}, {.targets = on.targets->points(), .keep = Keep::map}, context);
   const double on_surface = cross_boundary(solver.plugin.info, [&] { return on.targets->read(map, 0); });
   result.distance = std::max(on_surface, on.targets->lower_bound(from, 0));
-  if (std::isfinite(on_surface)) trace(solver, map, to, *on.mesh, result);
-  return result;
+  if (!std::isfinite(on_surface)) return result;
+  PathResult path = trace_path(solver, map, to.place.at, *on.mesh);
+  path.distance = result.distance;
+  return path;
 }
 
 }  // namespace

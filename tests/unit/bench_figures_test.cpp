@@ -9,7 +9,7 @@
 #include "tools/bench/disturb.hpp"
 #include "tools/bench/fit.hpp"
 #include "tools/bench/hausdorff.hpp"
-#include "tools/bench/memory_peak.hpp"
+#include "engine/report/memory_peak.hpp"
 #include "tools/bench/sample_case.hpp"
 #include "tools/bench/topology_table.hpp"
 #include "tools/bench/torus_runs.hpp"

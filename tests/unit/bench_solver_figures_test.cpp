@@ -8,7 +8,7 @@
 #include <numeric>
 #include <sstream>
 
-#include "tools/bench/memory_peak.hpp"
+#include "engine/report/memory_peak.hpp"
 #include "tools/bench/search_figures.hpp"
 #include "tools/bench/solver_growth.hpp"
 #include "tools/bench/solver_memory.hpp"

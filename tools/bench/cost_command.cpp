@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "tools/bench/commands.hpp"
-#include "tools/bench/memory_peak.hpp"
+#include "engine/report/memory_peak.hpp"
 #include "tools/bench/own_process.hpp"
 #include "tools/bench/stage_costs.hpp"
 #include "tools/shapes/shapes.hpp"

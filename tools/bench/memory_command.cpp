@@ -4,7 +4,7 @@
 
 #include "tools/bench/bench_mesh.hpp"
 #include "tools/bench/commands.hpp"
-#include "tools/bench/memory_peak.hpp"
+#include "engine/report/memory_peak.hpp"
 #include "tools/bench/own_process.hpp"
 #include "tools/bench/solver_memory.hpp"
 #include "tools/bench/solver_runner.hpp"

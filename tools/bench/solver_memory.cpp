@@ -3,7 +3,7 @@
 
 #include <malloc.h>
 
-#include "tools/bench/memory_peak.hpp"
+#include "engine/report/memory_peak.hpp"
 #include "tools/bench/solver_runner.hpp"
 
 namespace geodrome::bench {

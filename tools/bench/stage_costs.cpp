@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "tools/bench/memory_peak.hpp"
+#include "engine/report/memory_peak.hpp"
 
 namespace geodrome::bench {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "tools/bench/memory_peak.hpp"
+#include "engine/report/memory_peak.hpp"
 
 #include <fstream>
 #include <string>
 #include <string_view>
 
-namespace geodrome::bench {
+namespace geodrome {
 namespace {
 
 std::size_t status_bytes(std::string_view name) {
@@ -30,4 +30,4 @@ bool reset_memory_peak() {
   return static_cast<bool>(references);
 }
 
-}  // namespace geodrome::bench
+}  // namespace geodrome

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 /// Resident memory of this process, now and at most, as Linux counts it: to within some hundred kilobytes.
-namespace geodrome::bench {
+namespace geodrome {
 
 /// Bytes; since the process began, or since the last reset. 0 where /proc does not tell.
 std::size_t memory_peak();
@@ -15,4 +15,4 @@ std::size_t memory_now();
 /// Makes what is resident now the peak. False where the system does not allow it: the peak then only grows.
 bool reset_memory_peak();
 
-}  // namespace geodrome::bench
+}  // namespace geodrome

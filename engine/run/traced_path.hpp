@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "geodrome/engine/jobs.hpp"
+
+namespace geodrome {
+
+/// The shortest path of a map to `to`, from its source on: points, positions and length; `distance` is left alone.
+/// Precondition: `to` was reached, and the map keeps paths. Throws NumericalError for a step that lies in no face of a
+/// mesh with weights, and what the plugin throws.
+PathResult trace_path(const PreparedSolver& solver, const ShortestPathMap& map, const SurfacePoint& to,
+                      const SurfaceMesh& mesh);
+
+}  // namespace geodrome
