@@ -14,9 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// An entry stored as float32 is off by at most 2^-24 of itself; the triangle inequality joins three of them.
-constexpr double float32_tolerance = 0x1p-22;
-
 /// Draws below `bound` from the generator's own bits, the same with every standard library. The bias is below
 /// bound / 2^64.
 std::uint64_t draw(std::mt19937_64& random, std::uint64_t bound) { return random() % bound; }

@@ -15,6 +15,9 @@ namespace geodrome {
 /// place (2.2e-16 of the scale): below 1e-11, with a decade to spare.
 inline constexpr double float64_tolerance = 1e-10;
 
+/// An entry stored as float32 is off by at most 2^-24 of itself; the triangle inequality joins three of them.
+inline constexpr double float32_tolerance = 0x1p-22;
+
 /// A finished distance matrix and what its rows (sources) and columns (targets) stand for.
 struct MatrixView {
   /// Row of the input that a matrix row or column belongs to. A source and a target are the same point if these are

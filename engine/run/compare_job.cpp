@@ -1,89 +1,165 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <cmath>
 
-#include "engine/run/distance_row.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/output/comparison_page.hpp"
+#include "engine/report/comparison_json.hpp"
+#include "engine/report/comparison_text.hpp"
+#include "engine/run/check_outputs.hpp"
+#include "engine/run/compare_checks.hpp"
+#include "engine/run/compare_growth.hpp"
+#include "engine/run/compare_view.hpp"
 #include "engine/run/open_input.hpp"
-#include "engine/run/stage_context.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
 
 namespace {
 
-/// Rows of distances, one per source.
-using Rows = std::vector<std::vector<double>>;
-
-/// Runs one solver on one thread, so that times can be compared.
-Rows measure(CompareRow& figures, const Opened& opened, const PluginHost& host, const CompareJob& job,
-             std::span<const Query> sources, const TargetList& targets, Observer& observer) {
-  const PreparedSolver solver = prepare_solver(opened.surface.mesh, host, figures.solver, job.settings, observer);
-  constexpr double no_limit = std::numeric_limits<double>::infinity();
-  check_provides(solver, sources, targets.queries(), no_limit);
-  figures.factor = solver.plugin.factor;
-  figures.prepare_seconds = solver.record.seconds;
-  StageContext context(ShortestPathSolver::stage, observer, 1, job.settings.seed);
-  const auto search = make_search(solver);
-  Rows rows(sources.size(), std::vector<double>(targets.queries().size()));
-  const Stopwatch watch;
-  for (std::size_t i = 0; i < sources.size(); ++i) {
-    distance_row(solver, *search, sources[i], targets, no_limit, context, rows[i]);
-    context.throw_if_cancelled();
-    observer.progress(figures.solver, (i + 1.0) / static_cast<double>(sources.size()));
-  }
-  figures.seconds_per_source = watch.seconds() / static_cast<double>(sources.size());
-  return rows;
+/// Mistakes that would otherwise show after all is computed.
+void check_job(const CompareJob& job) {
+  check_ending(job.figures, {".json"});
+  check_ending(job.page, {".html"});
+  const std::string selections[] = {job.sources};
+  std::vector<std::filesystem::path> read = files_read(job.input, job.settings.read, selections);
+  if (auto file = truth_file(job.truth); !file.empty()) read.push_back(std::move(file));
+  const std::filesystem::path outputs[] = {job.figures, job.page};
+  check_outputs(outputs, read);
 }
 
-void count_unreachable(CompareRow& figures, const Rows& rows) {
-  for (const auto& row : rows)
-    figures.unreachable +=
-        static_cast<std::uint64_t>(std::count_if(row.begin(), row.end(), [](double d) { return std::isinf(d); }));
+/// Times are comparable on one thread only.
+RunSettings on_one_thread(RunSettings settings) {
+  settings.threads = 1;
+  return settings;
 }
 
-void compare(CompareRow& figures, const Rows& rows, const Rows& first) {
-  double sum = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (std::size_t j = 0; j < rows[i].size(); ++j) {
-      const double mine = rows[i][j], reference = first[i][j];
-      if (std::isfinite(mine) != std::isfinite(reference)) ++figures.reach_differs;
-      if (!std::isfinite(mine) || !std::isfinite(reference) || reference == 0) continue;
-      const double difference = std::abs(mine - reference) / reference;
-      figures.max_difference = std::max(figures.max_difference, difference);
-      sum += difference;
-      ++figures.compared;
+/// The comparison of combinations on one input, as far as it has come.
+class Comparison {
+ public:
+  Comparison(const CompareJob& job, const PluginHost& host, const RunSettings& settings, const Input& input,
+             Observer& observer)
+      : job_(job),
+        host_(host),
+        settings_(settings),
+        input_(input),
+        observer_(observer),
+        surfaces_(input, host, settings, observer,
+                  [this](const Surface& surface) { return select(job_.sources, input_, surface); }),
+        truth_(job.truth, input, host, settings, observer),
+        growth_(job.growth, input, host, settings, observer),
+        view_(input, job.paths, settings.seed) {}
+
+  void add(const Combination& combination) {
+    CombinationFigures figures{.name = combination.name, .stages = choices_by_stage(combination.choice, input_.kind)};
+    std::shared_ptr<const Surface> surface;
+    attempt(figures, [&] { surface = surfaces_.make(combination.choice); });
+    if (surface) {
+      const auto on = surfaces_.placed(surface);  // what is wrong with the sources is wrong for all,
+      truth_.read_file(*on);                      // and what is wrong with the file
+      if (sources_.empty()) sources_ = on->sources;
+      attempt(figures, [&] { fill(figures, combination, on); });
     }
-  if (figures.compared > 0) figures.mean_difference = sum / static_cast<double>(figures.compared);
-}
+    if (!figures.ran() && !job_.page.empty()) view_.add_failed();
+    combinations_.push_back(std::move(figures));
+  }
 
-}  // namespace
+  ComparisonFigures figures() const {
+    ComparisonFigures result{.file = input_.file.string(),
+                             .kind = input_.kind,
+                             .rows = input_.element_of_row.size(),
+                             .faces = input_.triangles.size(),
+                             .diagonal = input_.facts.bounding_box_diagonal,
+                             .truth = truth_.figures(),
+                             .combinations = combinations_};
+    for (const Query& source : sources_) result.sources.push_back(told(source));
+    return result;
+  }
 
-std::vector<CompareRow> run_compare(const CompareJob& job, Observer& observer) {
-  if (job.solvers.empty()) throw OptionError("no solver to compare", "name at least one");
-  const PluginHost host(job.settings.plugin_path);
-  const Opened opened = open_input(job.input, host, job.settings, observer);
-  const std::vector<Query> sources = select(job.sources, opened.input, opened.surface);
-  const TargetList targets(select("all", opened.input, opened.surface), opened.surface);
+  Json view() const { return view_.json(); }
 
-  std::vector<CompareRow> table;
-  Rows first;  // of the first solver that ran
-  for (const std::string& solver : job.solvers) {
-    CompareRow figures;
-    figures.solver = solver;
+ private:
+  /// An error is the combination's own: the others go on.
+  template <class Function>
+  static void attempt(CombinationFigures& figures, Function&& function) {
     try {
-      Rows rows = measure(figures, opened, host, job, sources, targets, observer);
-      count_unreachable(figures, rows);
-      if (first.empty()) first = rows;
-      compare(figures, rows, first);
+      function();
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
       figures.error = error.what();
       figures.error_status = exit_status(error);
     }
-    table.push_back(std::move(figures));
   }
-  return table;
+
+  void fill(CombinationFigures& figures, const Combination& combination,
+            const std::shared_ptr<const ComparedSurface>& on) {
+    judge(figures, combination, *on);
+    figures.growth = growth_.of(combination, on, figures.cost);
+  }
+
+  void judge(CombinationFigures& figures, const Combination& combination, const ComparedSurface& on) {
+    const Measurement measured = measure(on, combination.choice.solver, host_, settings_, combination.name, observer_);
+    const DistanceRows& true_rows = truth_.rows(combination.name, on, measured.rows);
+    for (const StageRecord& stage : on.surface->stages)
+      figures.stage_seconds.emplace_back(stage.plugin.stage, stage.seconds);
+    figures.cost = measured.cost;
+    figures.factor = measured.solver.plugin.factor;
+    figures.never_shorter = states_never_shorter(measured.solver);
+    figures.errors = compare_distances(measured.rows, true_rows);
+    figures.invariants = checks_of(on, measured, settings_.seed);
+    figures.guarantee = guarantee_of(on, measured, true_rows, truth_);
+    if (!job_.page.empty()) view_.add(on, measured, true_rows, observer_);
+  }
+
+  ComparedSource told(const Query& source) const {
+    if (source.row == no_index) return {source.label, std::nullopt, source.place.position};
+    const Index element = input_.element_of_row[source.row];  // its place is lost where it was dropped
+    return {source.label, source.row, element == no_index ? Vec3{} : input_.positions[element]};
+  }
+
+  const CompareJob& job_;
+  const PluginHost& host_;
+  const RunSettings& settings_;
+  const Input& input_;
+  Observer& observer_;
+  ComparedSurfaces surfaces_;
+  ComparisonTruth truth_;
+  ComparisonGrowth growth_;
+  ComparisonView view_;
+  std::vector<Query> sources_;  // on the first surface
+  std::vector<CombinationFigures> combinations_;
+};
+
+int first_error_status(const ComparisonFigures& figures) {
+  for (const CombinationFigures& combination : figures.combinations)
+    if (!combination.ran()) return combination.error_status;
+  return 0;
+}
+
+}  // namespace
+
+CompareReport run_compare(const CompareJob& job, Observer& observer) {
+  std::vector<VariedStage> varied;
+  for (const std::string& text : job.varied) varied.push_back(parse_varied_stage(text));
+  check_job(job);
+  const std::optional<ComparisonPage> page =
+      job.page.empty() ? std::nullopt : std::make_optional<ComparisonPage>(job.page_template);
+  const RunSettings settings = on_one_thread(job.settings);
+  const PluginHost host(settings.plugin_path);
+  const Input input = read_and_tell(job.input, settings, observer);
+  const std::vector<Combination> combinations = combinations_of(varied, settings.stages, input.kind);
+  Comparison comparison(job, host, settings, input, observer);
+  for (const Combination& combination : combinations) comparison.add(combination);
+
+  const ComparisonFigures figures = comparison.figures();
+  Json json = to_json(figures);
+  CompareReport report{text_of(json), text_of(figures), first_error_status(figures), broken_promises(figures)};
+  if (!job.figures.empty()) write_atomically(job.figures, report.json + "\n");
+  if (page) {
+    json["view"] = comparison.view();
+    write_atomically(job.page, page->with(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  }
+  return report;
 }
 
 }  // namespace geodrome

@@ -78,14 +78,4 @@ TEST_F(Commands, PluginsListAndShowNameEveryStage) {
   EXPECT_NE(run({"plugins", "show", "solver_cgal"}).out.find("GPL-3.0-or-later"), std::string::npos);
 }
 
-TEST_F(Commands, CompareShowsThatGraphDistancesAreNeverShorter) {
-  write_cube();
-  const json rows = json::parse(
-      run({"compare", file("cube.off"), "--stage", "solver=cgal,edge_dijkstra", "--sources", "all", "--json"}).out);
-  ASSERT_EQ(rows.size(), 2u);
-  EXPECT_EQ(rows[0]["max_relative_difference"], 0);
-  EXPECT_GT(rows[1]["max_relative_difference"], 0.01);
-  EXPECT_EQ(rows[1]["reach_differs"], 0);
-}
-
 }  // namespace

@@ -82,7 +82,7 @@ TEST_F(Weights, OfAPathCountInItsLength) {
 TEST_F(Weights, AreComparedWithSolversThatHaveThem) {
   const Outcome outcome = run("compare", {"--stage", "solver=test_weighted", "--weights", "property:weight", "--json"});
   EXPECT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_EQ(json::parse(outcome.out)[0]["compared"], 3);
+  EXPECT_EQ(json::parse(outcome.out)["combinations"][0]["errors"]["compared"], 3);
 }
 
 TEST_F(Weights, AreToldByCheck) {

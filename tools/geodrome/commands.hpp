@@ -36,6 +36,7 @@ void add_sample_stages(CLI::App& command, StageChoice& stages);
 void add_solver(CLI::App& command, StageChoice& stages);
 void add_run_options(CLI::App& command, RunSettings& settings);
 void add_threads(CLI::App& command, unsigned& threads, const std::string& help);
+void add_seed(CLI::App& command, RunSettings& settings);
 void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders);
 void add_quiet(CLI::App& command, bool& quiet);
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <iomanip>
 #include <iostream>
 #include <memory>
 
 #include "commands.hpp"
 #include "console.hpp"
-#include "engine/report/json.hpp"
 
 namespace geodrome::cli {
 
@@ -13,92 +11,72 @@ namespace {
 
 struct Arguments {
   CompareJob job;
-  std::string stage;
   bool json = false, quiet = false;
 };
 
-/// "solver=A,B:k=v,C" names solvers; a comma followed by k=v belongs to the options of the one before.
-std::vector<std::string> solvers_of(const std::string& stage) {
-  constexpr std::string_view prefix = "solver=";
-  if (!stage.starts_with(prefix))
-    throw OptionError("--stage '" + stage + "': only solvers can be compared", "write --stage solver=A,B");
-  std::vector<std::string> names;
-  std::istringstream words(stage.substr(prefix.size()));
-  for (std::string word; std::getline(words, word, ',');) {
-    const bool is_option = word.find('=') != std::string::npos && word.find(':') == std::string::npos;
-    if (is_option && !names.empty())
-      names.back() += "," + word;
-    else
-      names.push_back(word);
-  }
-  return names;
-}
+/// Finer meshes grow by 4 each: more than this would hold more faces than an index can count.
+constexpr std::uint64_t most_levels = 16;
+constexpr std::uint64_t most_paths = 1000;
 
-Json to_json(const CompareRow& row) {
-  if (!row.error.empty()) return {{"solver", row.solver}, {"error", row.error}};
-  return {{"solver", row.solver},
-          {"factor", geodrome::to_json(row.factor)},
-          {"prepare_seconds", row.prepare_seconds},
-          {"seconds_per_source", row.seconds_per_source},
-          {"max_relative_difference", geodrome::to_json(row.max_difference)},
-          {"mean_relative_difference", geodrome::to_json(row.mean_difference)},
-          {"compared", row.compared},
-          {"unreachable", row.unreachable},
-          {"reach_differs", row.reach_differs}};
-}
-
-void print(const std::vector<CompareRow>& rows) {
-  std::cout << std::left << std::setw(28) << "solver" << std::right << std::setw(12) << "prepare s" << std::setw(14)
-            << "s per source" << std::setw(14) << "max rel diff" << std::setw(14) << "mean rel diff" << std::setw(13)
-            << "unreachable"
-            << "\n";
-  for (const CompareRow& row : rows) {
-    std::cout << std::left << std::setw(28) << row.solver << std::right;
-    if (row.error.empty())
-      std::cout << std::setprecision(4) << std::setw(12) << row.prepare_seconds << std::setw(14)
-                << row.seconds_per_source << std::setw(14) << row.max_difference << std::setw(14) << row.mean_difference
-                << std::setw(13) << row.unreachable << "\n";
-    else
-      std::cout << "  not run: " << row.error << "\n";
-    if (row.reach_differs > 0)
-      std::cout << "  " << row.reach_differs << " targets are reached by only one of it and the first\n";
-  }
-}
-
-int run(Arguments arguments) {
-  arguments.job.solvers = solvers_of(arguments.stage);
-  const std::vector<CompareRow> rows =
+int run(const Arguments& arguments) {
+  const CompareReport report =
       with_console(arguments.quiet, [&](Console& console) { return run_compare(arguments.job, console); });
-  Json json = Json::array();
-  int status = 0;
-  for (const CompareRow& row : rows) {
-    json.push_back(to_json(row));
-    if (status == 0) status = row.error_status;
-  }
-  if (arguments.json)
-    std::cout << text_of(json) << "\n";
-  else
-    print(rows);
-  return status;
+  std::cout << (arguments.json ? report.json + "\n" : report.table);
+  const int broken = tell_broken_promises(report.broken_promises, "those named");
+  return broken != 0 ? broken : report.error_status;
+}
+
+void add_judgement(CLI::App& command, CompareJob& job) {
+  command
+      .add_option("--truth", job.truth,
+                  "What is right: 'first' (the first combination that runs), 'exact' or 'exact:SOLVER' (an exact "
+                  "solver on each combination's own surface), or FILE.npy: a row per source, or all pairs")
+      ->type_name("TRUTH")
+      ->capture_default_str();
+  command
+      .add_option("--growth", job.growth,
+                  "Also on so many other sizes: a mesh with its faces cut in 4 again and again, or 1/2, 1/4, ... of "
+                  "the points")
+      ->check(whole_number_up_to(most_levels))
+      ->type_name("LEVELS")
+      ->capture_default_str();
+}
+
+void add_outputs(CLI::App& command, Arguments& arguments) {
+  CompareJob& job = arguments.job;
+  command.add_flag("--json", arguments.json, "Figures as JSON on standard output, in place of the table");
+  command.add_option("-o,--output", job.figures, "The same JSON in a file")->type_name("FIGURES.json");
+  command.add_option("--html", job.page, "A page with table, plots, and the surface in 3D: one file, no network")
+      ->type_name("PAGE.html");
+  command.add_option("--paths", job.paths, "Paths per source on the page: to the farthest target, and others")
+      ->check(whole_number_up_to(most_paths))
+      ->type_name("K")
+      ->capture_default_str();
 }
 
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<Arguments>();
-  CLI::App& command =
-      *app.add_subcommand("compare", "Time and results of several solvers, on the same surface and sources");
-  add_input(command, arguments->job.input);
-  command.add_option("--stage", arguments->stage, "solver=A,B,...: all are compared with the first that can be run")
-      ->required()
-      ->type_name("LIST");
-  command.add_option("--sources", arguments->job.sources, "As for 'distances'")
+  CompareJob& job = arguments->job;
+  CLI::App& command = *app.add_subcommand(
+      "compare", "Time, memory and errors of combinations of plugins, on the same input and sources, on one thread");
+  add_input(command, job.input);
+  command
+      .add_option("--stage", job.varied,
+                  "STAGE=A,B[:k=v,...]: choices for a stage; with several --stage all their combinations")
+      ->allow_extra_args(false)
+      ->type_name("STAGE=LIST");
+  command.add_option("--sources", job.sources, "As for 'distances'; targets are all rows")
       ->type_name("LIST")
       ->capture_default_str();
-  command.add_flag("--json", arguments->json, "As JSON on standard output");
-  add_sample_stages(command, arguments->job.settings.stages);
-  add_read_options(command, arguments->job.settings.read);
-  add_run_options(command, arguments->job.settings);
+  add_judgement(command, job);
+  add_outputs(command, *arguments);
+  add_solver(command, job.settings.stages);
+  add_sample_stages(command, job.settings.stages);
+  add_read_options(command, job.settings.read);
+  add_plugin_path(command, job.settings.plugin_path);
+  add_seed(command, job.settings);
   add_quiet(command, arguments->quiet);
   command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }

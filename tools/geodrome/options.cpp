@@ -85,6 +85,10 @@ void add_threads(CLI::App& command, unsigned& threads, const std::string& help) 
 void add_run_options(CLI::App& command, RunSettings& settings) {
   add_plugin_path(command, settings.plugin_path);
   add_threads(command, settings.threads, "Threads; 0: one per core. No result depends on it");
+  add_seed(command, settings);
+}
+
+void add_seed(CLI::App& command, RunSettings& settings) {
   command.add_option("--seed", settings.seed, "Seed of everything random")
       ->check(whole_number_up_to(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str()

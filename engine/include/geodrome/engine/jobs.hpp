@@ -111,25 +111,33 @@ struct PathResult {
 
 PathResult run_path(const PathJob& job, Observer& observer);
 
-/// The same distances by several solvers.
+/// The same distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off.
 struct CompareJob {
   std::filesystem::path input;
-  RunSettings settings;
-  std::vector<std::string> solvers;  ///< all are compared with the first that can be run
-  std::string sources = "0";
+  RunSettings settings;                 ///< `stages`: of those that are not varied; `threads` is not used
+  std::vector<std::string> varied;      ///< "STAGE=A,B:k=v,...", one for each stage that is varied
+  std::string sources = "0";            ///< see `select`; targets are all rows
+  std::string truth = "first";          ///< "first" that ran, "exact[:SOLVER]" on the same surface, or a .npy
+  unsigned growth = 0;                  ///< finer meshes (faces cut in 4), or sparser samples (halved), so many times
+  unsigned paths = 4;                   ///< per source, for the page
+  std::filesystem::path figures;        ///< .json
+  std::filesystem::path page;           ///< .html
+  std::filesystem::path page_template;  ///< empty: the one that came with the engine
 };
 
-/// Figures of one solver. `error` is empty if it ran; the relative differences are to the first solver that
-/// ran, over the targets that both reach at a distance above 0.
-struct CompareRow {
-  std::string solver, error;
-  int error_status = 0;  ///< the exit status that the error stands for
-  double factor = 0, prepare_seconds = 0, seconds_per_source = 0;
-  double max_difference = 0, mean_difference = 0;
-  std::uint64_t compared = 0, unreachable = 0, reach_differs = 0;
+/// The figures as JSON and as a table. `error_status`: of the first combination that did not run, 0 if all ran.
+/// `broken_promises`: invariants, reach and guarantees of the combinations that do not hold.
+struct CompareReport {
+  std::string json, table;
+  int error_status = 0;
+  std::vector<std::string> broken_promises;
 };
 
-std::vector<CompareRow> run_compare(const CompareJob& job, Observer& observer);
+/// Does the whole job. A combination that cannot be run is a row of its own, the others go on. Throws any
+/// geodrome::Error for what is wrong with the job itself: OptionError for stages, sources and truth that do not exist,
+/// InputError for a truth of another shape, CapabilityError for a page whose template is missing. Memory: the surfaces
+/// that differ, one prepared solver, and rows of all targets per source.
+CompareReport run_compare(const CompareJob& job, Observer& observer);
 
 /// The exit status that stands for an error: 2 usage, 3 input or capability, 4 refused, 5 plugin, 130 cancelled,
 /// else 1.

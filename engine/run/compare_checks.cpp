@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "engine/run/compare_checks.hpp"
+
+#include "engine/report/face_weight.hpp"
+#include "engine/run/components.hpp"
+#include "engine/run/query_identity.hpp"
+
+namespace geodrome {
+
+namespace {
+
+Invariants invariants_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
+  const std::uint64_t rows_of_input = no_index;
+  const auto row_ids = identities(on.sources, rows_of_input),
+             column_ids = identities(on.targets.queries(), rows_of_input + on.sources.size());
+  const auto row_points = points_of(on.sources), column_points = points_of(on.targets.queries());
+  std::vector<double> starts;
+  for (const Query& source : on.sources) starts.push_back(source.start);
+  const MatrixView view{row_ids,       column_ids, row_points,
+                        column_points, starts,     [&](std::uint64_t row) { return measured.rows[row]; }};
+  return check_invariants(
+      view,
+      {.factor = measured.solver.plugin.factor, .smallest_weight = smallest_weight(*on.surface->mesh), .seed = seed});
+}
+
+InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) {
+  const SurfaceMesh& mesh = *on.surface->mesh;
+  const std::vector<Index> of_source = components_of(mesh, on.sources),
+                           of_target = components_of(mesh, on.targets.queries());
+  ReachCounts counts;
+  for (std::size_t i = 0; i < measured.rows.size(); ++i)
+    count_reach(measured.rows[i], of_source[i], of_target, false, counts);
+  InvariantCheck check;
+  check.violated = counts.missed + counts.impossible;
+  check.tested = counts.reached + counts.unreachable + check.violated;
+  return check;
+}
+
+/// For which of the queries the solver states its factor.
+std::vector<bool> stated_for(std::span<const Query> queries, const PreparedSolver& solver) {
+  std::vector<bool> stated;
+  for (const Query& query : queries)
+    stated.push_back(query.place.vertex != no_index || solver.provides(factor_any_point));
+  return stated;
+}
+
+}  // namespace
+
+bool states_never_shorter(const PreparedSolver&) { return true; }
+
+std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
+  const Invariants invariants = invariants_of(on, measured, seed);
+  const bool weighted = !on.surface->mesh->face_weights().empty();
+  return {{"no NaN", invariants.computed},
+          {"D(s,s)", invariants.identity},
+          {weighted ? "D >= least weight x Euclid" : "D >= Euclid", invariants.euclid},
+          {"symmetry", invariants.symmetry},
+          {"triangle", invariants.triangle},
+          {"reach", reach_of(on, measured)}};
+}
+
+GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& true_rows,
+                              const ComparisonTruth& truth) {
+  GuaranteeTerms terms{.factor = measured.solver.plugin.factor,
+                       .never_shorter = states_never_shorter(measured.solver),
+                       .exact_truth = truth.is_exact(),
+                       .of_source = stated_for(on.sources, measured.solver),
+                       .of_target = stated_for(on.targets.queries(), measured.solver),
+                       .tolerance = truth.tolerance()};
+  terms.scale = scale_of(true_rows, on.surface->mesh->positions(), smallest_weight(*on.surface->mesh));
+  return judge_guarantee(measured.rows, true_rows, terms);
+}
+
+}  // namespace geodrome
