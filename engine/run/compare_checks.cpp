@@ -18,9 +18,10 @@ Invariants invariants_of(const ComparedSurface& on, const Measurement& measured,
   for (const Query& source : on.sources) starts.push_back(source.start);
   const MatrixView view{row_ids,       column_ids, row_points,
                         column_points, starts,     [&](std::uint64_t row) { return measured.rows[row]; }};
-  return check_invariants(
-      view,
-      {.factor = measured.solver.plugin.factor, .smallest_weight = smallest_weight(*on.surface->mesh), .seed = seed});
+  return check_invariants(view, {.factor = measured.solver.plugin.factor,
+                                 .bounded = on.targets.bounded() || states_never_shorter(measured.solver),
+                                 .smallest_weight = smallest_weight(*on.surface->mesh),
+                                 .seed = seed});
 }
 
 InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) {
@@ -46,7 +47,7 @@ std::vector<bool> stated_for(std::span<const Query> queries, const PreparedSolve
 
 }  // namespace
 
-bool states_never_shorter(const PreparedSolver&) { return true; }
+bool states_never_shorter(const PreparedSolver& solver) { return solver.provides(never_shorter); }
 
 std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
   const Invariants invariants = invariants_of(on, measured, seed);

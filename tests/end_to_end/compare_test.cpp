@@ -176,6 +176,19 @@ TEST_F(Compare, ABrokenGuaranteeIsToldLoudly) {
   EXPECT_EQ(f["combinations"][0]["guarantee"]["held"], true);
 }
 
+TEST_F(Compare, AnEstimateThatStatesNothingBreaksNothing) {
+  const json f = cube_figures({"--solver", "test_estimate", "--plugin-path", bad_plugins, "--truth", "exact"});
+  const json& c = f["combinations"][0];
+  EXPECT_EQ(c["never_shorter"], false);
+  EXPECT_GT(c["errors"]["max_under"], 0.1);
+  EXPECT_TRUE(c["guarantee"]["held"].is_null());
+  EXPECT_TRUE(c["guarantee"]["stated"].is_null());
+  for (const json& invariant : c["invariants"])
+    EXPECT_EQ(invariant["promised"],
+              invariant["name"] == "D(s,s)" || invariant["name"] == "reach" || invariant["name"] == "no NaN")
+        << invariant;
+}
+
 TEST_F(Compare, InvariantsOfTheRowsAreShown) {
   // Two squares apart: what runs straight through space reaches what it cannot.
   write_bytes(folder_ / "two.off",
