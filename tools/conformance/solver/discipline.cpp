@@ -2,6 +2,7 @@
 // Threads, reuse, cancellation, memory: what makes a solver fit for jobs that run for hours.
 #include <malloc.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "tools/conformance/solver/solver_trial.hpp"
@@ -146,15 +147,20 @@ std::size_t bytes_in_use() {
 }
 
 /// `work` is done until all is warm, and then many times more; what it keeps each time adds up to more than `slack`.
+/// The C library's caches of freed blocks count as in use and may still fill up, but only once: what is kept is kept
+/// again.
 template <class Work>
 void keeps_nothing(SolverTrial& t, Work&& work, int times, const char* what) {
   constexpr double slack = 4096;
   for (int i = 0; i < 20; ++i) work();
-  const std::size_t before = bytes_in_use();
-  if (before == 0) throw NotApplicable{"this build counts memory in its own way: its leak check judges that"};
-  for (int i = 0; i < times; ++i) work();
-  t.at_most(static_cast<double>(bytes_in_use()) - static_cast<double>(before), slack, "bytes kept after ", times, " ",
-            what);
+  if (bytes_in_use() == 0) throw NotApplicable{"this build counts memory in its own way: its leak check judges that"};
+  double kept = infinity;
+  for (int round = 0; round < 2 && kept > slack; ++round) {
+    const std::size_t before = bytes_in_use();
+    for (int i = 0; i < times; ++i) work();
+    kept = std::min(kept, static_cast<double>(bytes_in_use()) - static_cast<double>(before));
+  }
+  t.at_most(kept, slack, "bytes kept after ", times, " ", what);
 }
 
 void memory_of_searches(SolverTrial& t) {
