@@ -42,41 +42,46 @@ void Front::want(Index vertex) {
 
 /// `from` was settled last, so its partner, if settled, is not farther. The front through both is plane: its slope
 /// along the base is that of their distances, and it moves at speed 1. `hit` is where the way to the target crosses the
-/// base, from `from` on, in units in which the base is `rise` long.
-void Front::pass(const Vertex& from, const Stencil& stencil) {
-  const Vertex& target = vertices_[stencil.target];
-  if (target.settled) return;
-  double distance = from.distance + stencil.length;
-  Index source = from.source;
+/// base, from `from` on, in units in which the base is `rise` long. A partner that is not settled is at infinity, where
+/// the slope is too steep for any front.
+void Front::pass(const Vertex& from, const Stencil& stencil, Offer& best) const {
+  const double edge = from.distance + stencil.length;
+  if (edge < best.distance) best = {edge, from.source};
   const Vertex& partner = vertices_[stencil.partner];
-  if (partner.settled) {
-    const double slope = partner.distance - from.distance;
-    const double square = stencil.base * stencil.base - slope * slope;
-    if (square > 0) {
-      const double rise = std::sqrt(square), hit = stencil.along * rise - stencil.across * slope;
-      const double plane = from.distance + (stencil.along * slope + stencil.across * rise);
-      // Where an obtuse corner was left, a plane front can be below what is settled.
-      if (hit > 0 && hit < rise && plane >= from.distance && plane < distance) {
-        distance = plane;
-        if (2 * hit > rise) source = partner.source;
-      }
-    }
+  const double slope = partner.settled - from.distance, square = stencil.base * stencil.base - slope * slope;
+  if (!(square > 0)) return;
+  const double rise = std::sqrt(square), hit = stencil.along * rise - stencil.across * slope;
+  const double plane = from.distance + (stencil.along * slope + stencil.across * rise);
+  // Where an obtuse corner was left, a plane front can be below what is settled.
+  if (hit > 0 && hit < rise && plane >= from.distance && plane < best.distance)
+    best = {plane, 2 * hit > rise ? partner.source : from.source};
+}
+
+/// The stencils of a vertex come target by target: each target is lowered once.
+void Front::pass_on(const Vertex& from, std::span<const Stencil> stencils) {
+  for (std::size_t i = 0; i < stencils.size();) {
+    const Index target = stencils[i].target;
+    Offer best;
+    if (vertices_[target].settled < unreached)
+      while (i < stencils.size() && stencils[i].target == target) ++i;
+    else
+      for (; i < stencils.size() && stencils[i].target == target; ++i) pass(from, stencils[i], best);
+    if (best.source == no_index || (vertices_[target].straight && vertices_[target].source == best.source)) continue;
+    lower(target, best.distance, best.source);
   }
-  if (target.straight && target.source == source) return;
-  lower(stencil.target, distance, source);
 }
 
 void Front::march(double radius, bool stop_at_wanted, const RunContext& context) {
   double limit = radius;
   while (!heap_.empty() && heap_.top_key() <= limit) {
     const Index vertex = heap_.pop();
-    vertices_[vertex].settled = true;
+    vertices_[vertex].settled = vertices_[vertex].distance;
     settled_.push_back(vertex);
     if (settled_.size() % poll_interval == 0) context.throw_if_cancelled();
     const Vertex from = vertices_[vertex];
     if (from.wanted) --open_wanted_;
     if (stop_at_wanted && open_wanted_ == 0) limit = std::min(limit, from.distance);
-    for (const Stencil& stencil : stencils_.of(vertex)) pass(from, stencil);
+    pass_on(from, stencils_.of(vertex));
   }
 }
 

@@ -42,13 +42,21 @@ class Front {
   }
 
  private:
+  static constexpr double unreached = std::numeric_limits<double>::infinity();
+
   struct Vertex {
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = unreached;
+    double settled = unreached;  ///< the distance, once it is settled
     Index source = no_index;
-    bool settled = false, straight = false, wanted = false;
+    bool straight = false, wanted = false;
+  };
+  struct Offer {
+    double distance = unreached;
+    Index source = no_index;
   };
 
-  void pass(const Vertex& from, const Stencil& stencil);
+  void pass(const Vertex& from, const Stencil& stencil, Offer& best) const;
+  void pass_on(const Vertex& from, std::span<const Stencil> stencils);
   void lower(Index vertex, double distance, Index source);
 
   const Stencils& stencils_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "solver_fast_marching/stencils.hpp"
 
+#include <algorithm>
+
 #include "solver_fast_marching/splitting.hpp"
 
 namespace geodrome {
@@ -51,6 +53,10 @@ Stencils::Stencils(const FlatSurface& surface) : first_(surface.vertex_count() +
   stencils_.resize(all.size());
   std::vector<std::size_t> end(first_.begin(), first_.end() - 1);
   for (const auto& [from, s] : all) stencils_[end[from]++] = s;
+  for (std::size_t v = 0; v + 1 < first_.size(); ++v)
+    std::stable_sort(stencils_.begin() + static_cast<std::ptrdiff_t>(first_[v]),
+                     stencils_.begin() + static_cast<std::ptrdiff_t>(first_[v + 1]),
+                     [](const Stencil& a, const Stencil& b) { return a.target < b.target; });
 }
 
 }  // namespace geodrome
