@@ -44,10 +44,12 @@ void Front::want(Index vertex) {
 /// along the base is that of their distances, and it moves at speed 1. `hit` is where the way to the target crosses the
 /// base, from `from` on, in units in which the base is `rise` long. A partner that is not settled is at infinity, where
 /// the slope is too steep for any front.
-void Front::pass(const Vertex& from, const Stencil& stencil, Offer& best) const {
+void Front::pass(const Vertex& from, const Stencil& stencil, const Vertex& target, Offer& best) const {
+  const bool not_shorter = target.straight && target.source == from.source;
   const double edge = from.distance + stencil.length;
-  if (edge < best.distance) best = {edge, from.source};
+  if (edge < best.distance && !not_shorter) best = {edge, from.source};
   const Vertex& partner = vertices_[stencil.partner];
+  if (not_shorter && partner.source == from.source) return;
   const double slope = partner.settled - from.distance, square = stencil.base * stencil.base - slope * slope;
   if (!(square > 0)) return;
   const double rise = std::sqrt(square), hit = stencil.along * rise - stencil.across * slope;
@@ -65,9 +67,8 @@ void Front::pass_on(const Vertex& from, std::span<const Stencil> stencils) {
     if (vertices_[target].settled < unreached)
       while (i < stencils.size() && stencils[i].target == target) ++i;
     else
-      for (; i < stencils.size() && stencils[i].target == target; ++i) pass(from, stencils[i], best);
-    if (best.source == no_index || (vertices_[target].straight && vertices_[target].source == best.source)) continue;
-    lower(target, best.distance, best.source);
+      for (; i < stencils.size() && stencils[i].target == target; ++i) pass(from, stencils[i], vertices_[target], best);
+    if (best.source != no_index) lower(target, best.distance, best.source);
   }
 }
 

@@ -25,7 +25,7 @@ class Front {
   /// Forgets the last march, even one that was stopped.
   void clear();
   /// A straight line within a face from source `source` leads to the vertex: no other way from that source is shorter,
-  /// whatever plane fronts make of it. Of equal distances the first source stays.
+  /// whatever plane fronts of that source alone make of it. Of equal distances the first source stays.
   void seed(Index vertex, double distance, Index source);
   /// The march may stop when every wanted vertex that can be reached is settled.
   void want(Index vertex);
@@ -55,7 +55,7 @@ class Front {
     Index source = no_index;
   };
 
-  void pass(const Vertex& from, const Stencil& stencil, Offer& best) const;
+  void pass(const Vertex& from, const Stencil& stencil, const Vertex& target, Offer& best) const;
   void pass_on(const Vertex& from, std::span<const Stencil> stencils);
   void lower(Index vertex, double distance, Index source);
 

@@ -105,12 +105,17 @@ const std::vector<double>& HeatSystem::from(Index source) {
     cgal_->method.add_source(Mesh::Vertex_index(source));
     cgal_->method.estimate_geodesic_distances(cgal_->distance);
   });
+  const auto refuse = [&](Index v, const char* why, const char* remedy) {
+    throw NumericalError("the heat of vertex " + std::to_string(part_.vertex[source]) + " does not come to vertex " +
+                             std::to_string(part_.vertex[v]) + ": " + why,
+                         remedy);
+  };
   for (Index v = 0; v < distances_.size(); ++v) {
     const double distance = cgal_->distance[Mesh::Vertex_index(v)];
-    if (!(distance <= farthest_heat * part_.mean_edge))
-      throw NumericalError("the heat of vertex " + std::to_string(part_.vertex[source]) + " does not come to vertex " +
-                               std::to_string(part_.vertex[v]) + ", which is too many edges away",
-                           "make the mesh coarser or more even, or choose another solver");
+    if (!std::isfinite(distance))
+      refuse(v, "CGAL's result is no number", "remesh needle faces, or choose another solver");
+    if (distance > farthest_heat * part_.mean_edge)
+      refuse(v, "it is more than 690 mean edges away", "make the mesh coarser, or choose another solver");
     distances_[v] = part_.original(distance);
   }
   distances_[source] = 0;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "support/program.hpp"
+#include "support/npy.hpp"
 
 namespace {
 
@@ -164,6 +165,82 @@ TEST_F(Requests, WhatIsOnlyANoteOfAMeshIsToldByCheckAlone) {
   const std::string told = distances({"-o", file("d.npy")}).err;
   EXPECT_EQ(told.find("boundary"), std::string::npos) << told;
   EXPECT_NE(told.find("2 vertices are on no face: unreachable. [4, 5]"), std::string::npos) << told;
+}
+
+/// Solvers that estimate the distances of vertices.
+class Estimates : public Requests, public ::testing::WithParamInterface<std::string> {
+ protected:
+  Outcome estimate(const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"distances", file("m.off"), "--solver", GetParam()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  void expect_lacks(const Outcome& outcome, const std::string& capability) {
+    expect(outcome, 3, "solver_" + GetParam() + " does not provide");
+    EXPECT_NE(outcome.err.find(capability), std::string::npos) << outcome.err;
+  }
+};
+
+TEST_P(Estimates, AreNotCalledBrokenForWhatTheyDoNotPromise) {
+  const Outcome outcome = estimate({"-o", file("d.npy"), "--report", file("r.json"), "--audit", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("no stated guarantee"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("invariants hold"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("D >= Euclid, symmetry, triangle inequality)"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("not audited"), std::string::npos) << outcome.out;
+  const Matrix d = read_npy(folder_ / "d.npy");
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(d(i, i), 0);
+  EXPECT_NEAR(d(0, 2), std::sqrt(2), 0.4);
+  EXPECT_EQ(d(0, 4), INFINITY);
+}
+
+TEST_P(Estimates, NameTheNearestSource) {
+  ASSERT_EQ(estimate({"--nearest", file("n.csv"), "--sources", "1,3"}).status, 0);
+  const std::string nearest = read_bytes(folder_ / "n.csv");
+  EXPECT_NE(nearest.find("\n1,0,1,reached\n"), std::string::npos) << nearest;
+  EXPECT_NE(nearest.find("\n3,0,3,reached\n4,inf,,unreachable\n"), std::string::npos) << nearest;
+}
+
+TEST_P(Estimates, RefuseByNameWhatTheyCannotDo) {
+  write_bytes(folder_ / "inside.txt", "0.6 0.3 0\n");
+  const std::string inside = "@" + file("inside.txt");
+  expect_lacks(run({"path", file("m.off"), "--from", "0", "--to", "2", "-o", file("p.csv"), "--solver", GetParam()}),
+               "paths");
+  expect_lacks(estimate({"-o", file("d.npy"), "--sources", "0", "--targets", inside}), "any_point");
+  write_bytes(folder_ / "pairs.txt", "0 2\n");
+  expect_lacks(
+      run({"queries", file("m.off"), "--pairs", file("pairs.txt"), "-o", file("q.csv"), "--solver", GetParam()}),
+      "pair_queries");
+  EXPECT_TRUE(nothing_but({"m.off", "inside.txt", "pairs.txt"}));
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, Estimates, ::testing::Values("fast_marching", "heat"),
+                         [](const auto& info) { return info.param; });
+
+/// What one of them can do and the other cannot.
+TEST_F(Requests, LimitsAndSourcesInFacesDependOnTheSolver) {
+  write_bytes(folder_ / "inside.txt", "0.6 0.3 0\n");
+  write_bytes(folder_ / "late.txt", "0\n2 + 0.5\n");
+  const auto with = [&](const std::string& solver, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"distances", file("m.off"), "--solver", solver};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const std::vector<std::string> within{"-o", file("d.npy"), "--max-distance", "1.2"};
+  const std::vector<std::string> inside{"-o",    file("e.npy"), "--targets",
+                                        "0,1,2", "--sources",   "@" + file("inside.txt")};
+  const std::vector<std::string> late{"--nearest", file("n.csv"), "--sources", "@" + file("late.txt")};
+  expect(with("heat", within), 3, "solver_heat does not provide a largest distance (radius_limit)");
+  expect(with("heat", inside), 3, "solver_heat does not provide sources that are no vertices (face_sources)");
+  expect(with("heat", late), 3, "start_distances");
+  EXPECT_TRUE(nothing_but({"m.off", "inside.txt", "late.txt"}));
+  ASSERT_EQ(with("fast_marching", within).status, 0);
+  EXPECT_EQ(read_npy(folder_ / "d.npy")(0, 2), INFINITY);
+  EXPECT_EQ(read_npy(folder_ / "d.npy")(0, 1), 1);
+  ASSERT_EQ(with("fast_marching", inside).status, 0);
+  EXPECT_NEAR(read_npy(folder_ / "e.npy")(0, 1), 0.5, 1e-15);
+  ASSERT_EQ(with("fast_marching", late).status, 0);
+  EXPECT_NE(read_bytes(folder_ / "n.csv").find("\n2,0.5,2,reached\n"), std::string::npos);
 }
 
 }  // namespace
