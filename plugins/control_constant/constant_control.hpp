@@ -7,7 +7,8 @@
 namespace geodrome {
 
 inline constexpr OptionSpec constant_options[] = {
-    number_option("value", "0", 0, 1e100, "units of the input", "psi of every point; 0: 0.8 times the sample's spacing"),
+    number_option("value", "0", 0, 1e100, "units of the input",
+                  "psi of every point; 0: 0.8 times the sample's spacing"),
 };
 
 /// The spacing of a sample is the median distance of a point from its neighbour of this rank. The sixth is 1.38 r away

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/reconstructor_stars/star_surface.hpp"
 
-#include <limits>
 #include <utility>
 
 #include "plugins/common/points/cell_radius.hpp"
@@ -31,10 +30,11 @@ Fault disputed_triangles(const StarUnion& all) {
 [[noreturn]] void refuse(const Fault& fault, const Fault& disputed, const KeptPoints& kept, Reconstruction& result) {
   result.findings.push_back(finding_of(Finding::Severity::refusal, fault, kept));
   if (disputed.count > 0) result.findings.push_back(finding_of(Finding::Severity::refusal, disputed, kept));
-  throw SampleError("the union of the planar stars is no surface: " + fault.message.substr(0, fault.message.size() - 1) +
-                        ", the worst at point " + std::to_string(kept.sample[fault.places.front()]),
-                    "choose a reconstructor that settles what stars dispute, or sample more densely there, without lattices",
-                    std::move(result.findings));
+  throw SampleError(
+      "the union of the planar stars is no surface: " + fault.message.substr(0, fault.message.size() - 1) +
+          ", the worst at point " + std::to_string(kept.sample[fault.places.front()]),
+      "choose a reconstructor that settles what stars dispute, or sample more densely there, without lattices",
+      std::move(result.findings));
 }
 
 }  // namespace
@@ -45,13 +45,11 @@ Reconstruction StarSurface::reconstruct(const PointSample& sample, const Tangent
   const KeptPoints kept = kept_points(sample, tangents, control, kept_indices);
   const Neighbours neighbours(kept.points);
   const PlanarStars stars(neighbours, kept.normals, sample_reach(kept.points), context, {0, 0.6});
-  std::vector<double> explained, farthest;
-  for (const double psi : kept.psi) explained.push_back(face_radius_bound * psi);
-  farthest = explained;
-  if (boundary_ == BoundaryRule::closed) farthest.assign(kept.psi.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> farthest;
+  for (const double psi : kept.psi) farthest.push_back(face_radius_bound * psi);
 
   Reconstruction result;
-  const StarAgreement agreed = agreement(stars, kept.points, explained);
+  const StarAgreement agreed = agreement(stars, kept.points, farthest);
   context.measure("inconsistent_stars", agreed.inconsistent);
   context.measure("star_ties", agreed.ties);
   StarUnion all = union_of(stars, kept.points, farthest);

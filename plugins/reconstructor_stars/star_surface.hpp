@@ -12,8 +12,8 @@ namespace geodrome {
 /// 2-manifold. It is where all stars agree; the paper takes that for granted, and samples of other shapes than spheres
 /// and planes seldom do. What is wrong is refused with the places, never repaired.
 ///
-/// Unless boundary=closed, a triangle whose centre is farther than 2.5 psi from a point (Lemma 8 gives 2.056) is not in
-/// the star of that point, so that holes stay open. Closed components are oriented outwards, open ones as the normal at
+/// A triangle whose centre is farther than 2.5 psi from a point (Lemma 8 gives 2.056) is not in the star of that point,
+/// so that holes stay open. Closed components are oriented outwards, open ones as the normal at
 /// the lowest point of their lowest face.
 ///
 /// Measures `inconsistent_stars` and `star_ties`.
@@ -22,7 +22,7 @@ class StarSurface final : public SurfaceReconstructor {
   static constexpr std::array<OptionSpec, 1> options{
       choice_option("boundary", "auto", "auto|closed|open",
                     "auto: holes with 20 points around or more stay open, smaller ones are an error; closed: any hole "
-                    "is an error, and psi limits no triangle; open: every hole stays open")};
+                    "is an error; open: every hole stays open")};
 
   explicit StarSurface(const OptionValues& values) : boundary_(boundary_rule(values.text("boundary"))) {}
 

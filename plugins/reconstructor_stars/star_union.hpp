@@ -15,8 +15,8 @@ struct StarUnion {
   std::vector<Index> disputed;  ///< faces that are not in the stars of all their corners
 };
 
-/// Section 2.3 as printed. Triangles whose centre is farther than `farthest[s]` from s do not count as those of the star
-/// of s. Nothing else is left out, and nothing is added. O(n log n).
+/// Section 2.3 as printed. Triangles whose centre is farther than `farthest[s]` from s do not count as those of the
+/// star of s. Nothing else is left out, and nothing is added. O(n log n).
 StarUnion union_of(const PlanarStars& stars, std::span<const Vec3> points, std::span<const double> farthest);
 
 }  // namespace geodrome

@@ -2,6 +2,7 @@
 #include "plugins/reconstructor_stars/union_faults.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "geodrome/detail/connectivity.hpp"
@@ -35,14 +36,15 @@ Fault two_sided_edges(std::vector<Triangle>& faces, std::span<const Index> twins
   const std::vector<Triangle> before = faces;
   const std::vector<Index> impossible = orient_alike(faces, twins);
   std::vector<Index> places;
-  for (const Index h : impossible)
-    places.insert(places.end(), {before[h / 3][h % 3], before[h / 3][(h + 1) % 3]});
+  for (const Index h : impossible) places.insert(places.end(), {before[h / 3][h % 3], before[h / 3][(h + 1) % 3]});
   const std::size_t edges = impossible.size() / 2;  // each is met from both of its faces
   return {"not_orientable", "the surface cannot be oriented across " + counted(edges, "edge.", "edges."), edges,
           worst_first(std::move(places))};
 }
 
-Fault thin_places(std::span<const Triangle> faces, std::span<const Index> twins, std::size_t point_count) {
+/// Boundary loops of fewer than `least` points. `faces` run alike.
+Fault short_loops(std::span<const Triangle> faces, std::size_t point_count, std::size_t least) {
+  const std::vector<Index> twins = detail::connect(faces, point_count).twins;
   detail::DisjointSets loops(point_count);
   std::vector<Index> on_boundary;
   for (Index h = 0; h < twins.size(); ++h) {
@@ -53,13 +55,25 @@ Fault thin_places(std::span<const Triangle> faces, std::span<const Index> twins,
   }
   std::vector<std::size_t> length(point_count, 0);
   for (const Index p : on_boundary) ++length[loops.find(p)];
-  Fault fault{"thin_places", {}, 0, {}};
+  Fault fault{"", {}, 0, {}};
   for (const Index p : on_boundary) {
-    if (length[loops.find(p)] >= least_around_hole) continue;
+    if (length[loops.find(p)] >= least) continue;
     fault.places.push_back(p);
     fault.count += loops.find(p) == p;
   }
   std::sort(fault.places.begin(), fault.places.end());
+  return fault;
+}
+
+Fault forbidden_boundary(std::span<const Triangle> faces, std::size_t point_count, BoundaryRule rule) {
+  if (rule == BoundaryRule::closed) {
+    Fault fault = short_loops(faces, point_count, std::numeric_limits<std::size_t>::max());
+    fault.code = "boundary";
+    fault.message = "the surface has " + counted(fault.count, "boundary loop.", "boundary loops.");
+    return fault;
+  }
+  Fault fault = short_loops(faces, point_count, rule == BoundaryRule::automatic ? least_around_hole : 0);
+  fault.code = "thin_places";
   fault.message = counted(fault.count, "place is", "places are") +
                   " thinner sampled than psi explains, with fewer than 20 points around: no hole, and no faces.";
   return fault;
@@ -87,9 +101,7 @@ std::optional<Fault> orient_or_fault(std::vector<Triangle>& faces, std::span<con
   if (Fault fault = split_points(faces, twins, points.size()); fault.count > 0) return fault;
   if (Fault fault = two_sided_edges(faces, twins); fault.count > 0) return fault;
   orient_outwards(faces, points);
-  if (rule != BoundaryRule::automatic) return std::nullopt;
-  const std::vector<Index> turned_twins = detail::connect(faces, points.size()).twins;
-  if (Fault fault = thin_places(faces, turned_twins, points.size()); fault.count > 0) return fault;
+  if (Fault fault = forbidden_boundary(faces, points.size(), rule); fault.count > 0) return fault;
   return std::nullopt;
 }
 

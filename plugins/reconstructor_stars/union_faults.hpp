@@ -24,11 +24,11 @@ struct Fault {
 /// The points, each once, those named most often first (ties: the lowest).
 std::vector<Index> worst_first(std::vector<Index> points);
 
-/// What first keeps `faces` from being an oriented 2-manifold; nothing is left out or added. Looked for in this order:
-/// edges of more than two faces, points where faces meet in several fans, edges across
-/// which faces cannot run alike, and, under BoundaryRule::automatic, boundary loops of fewer than `least_around_hole`
-/// points. Where the first three are none, `faces` are turned to run alike, those of closed components outwards.
-/// O(F log F).
+/// What first keeps `faces` from being an oriented 2-manifold with a boundary as the rule allows; nothing is left out
+/// or added. Looked for in this order: edges of more than two faces, points where faces meet in several fans, edges
+/// across which faces cannot run alike, and boundary loops: under BoundaryRule::closed any, under
+/// BoundaryRule::automatic those of fewer than `least_around_hole` points. Where the first three are none, `faces` are
+/// turned to run alike, those of closed components outwards. O(F log F).
 std::optional<Fault> orient_or_fault(std::vector<Triangle>& faces, std::span<const Vec3> points, BoundaryRule rule);
 
 }  // namespace geodrome

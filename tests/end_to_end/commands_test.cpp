@@ -71,9 +71,9 @@ TEST_F(Commands, PluginsListAndShowNameEveryStage) {
   for (const json& plugin : listing["usable"])
     names.push_back(plugin["stage"].get<std::string>() + "_" + plugin["name"].get<std::string>());
   for (const char* name :
-       {"tangent_jet", "tangent_pca", "tangent_pole", "control_lipschitz", "decimator_greedy", "decimator_none",
-        "reconstructor_advancing_front", "reconstructor_delaunay_cut", "solver_cgal", "solver_chen_han",
-        "solver_edge_dijkstra", "solver_fast_marching", "solver_heat"})
+       {"tangent_jet", "tangent_pca", "tangent_pole", "control_constant", "control_lipschitz", "decimator_greedy",
+        "decimator_none", "reconstructor_advancing_front", "reconstructor_delaunay_cut", "reconstructor_stars",
+        "solver_cgal", "solver_chen_han", "solver_edge_dijkstra", "solver_fast_marching", "solver_heat"})
     EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
   EXPECT_TRUE(listing["refused"].empty());
   EXPECT_NE(run({"plugins", "show", "solver_cgal"}).out.find("GPL-3.0-or-later"), std::string::npos);

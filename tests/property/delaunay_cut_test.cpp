@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
-#include "geodrome/vertex_components.hpp"
 #include "support/sample_stages.hpp"
 #include "support/samples.hpp"
+#include "support/topology.hpp"
 #include "support/volume.hpp"
 #include "tools/shapes/shapes.hpp"
 
@@ -30,26 +30,7 @@ Reconstruction reconstruct(const test::Staged& s, const char* options = "", unsi
       .reconstruct(s.sample, s.tangents, s.control, s.kept, context);
 }
 
-struct Topology {
-  long euler = 0;
-  std::size_t boundary_edges = 0, components = 0;
-  bool operator==(const Topology&) const = default;
-};
-
-std::ostream& operator<<(std::ostream& out, const Topology& t) {
-  return out << "Euler number " << t.euler << ", " << t.boundary_edges << " boundary edges, " << t.components
-             << " components";
-}
-
-Topology topology(const SurfaceMesh& mesh) {
-  Topology t;
-  for (const Index twin : mesh.twins()) t.boundary_edges += twin == no_index;
-  const std::size_t edges = (3 * mesh.face_count() + t.boundary_edges) / 2;
-  t.euler = static_cast<long>(mesh.vertex_count()) - static_cast<long>(edges) + static_cast<long>(mesh.face_count());
-  const std::vector<Index> component = vertex_components(mesh);
-  for (Index v = 0; v < component.size(); ++v) t.components += component[v] == v;
-  return t;
-}
+using test::Topology, test::topology;
 
 /// The faces as sets of sample points.
 std::set<std::set<Index>> faces_of(const Reconstruction& made, const std::vector<Index>& name = {}) {

@@ -42,6 +42,7 @@ class PairQueries : public testing::Test {
   PairQueries() {
     surface_.mesh = mesh_;
     solver_.plugin.info.stage = "solver", solver_.plugin.info.name = "told";
+    solver_.plugin.info.provides = never_shorter;
     solver_.plugin.factor = infinity;  // it has no searches that an audit could ask
   }
   Query vertex(Index v) const {
@@ -98,6 +99,8 @@ TEST_F(PairQueries, CountWhatIsShorterThanTheStraightLine) {
   const std::vector<QueryPair> pairs{{vertex(0), vertex(8)}, {vertex(0), vertex(0)}};
   EXPECT_EQ(ask(pairs, [](double straight) { return straight * (1 - 1e-12); }).below_euclid, 0u) << "rounding";
   EXPECT_EQ(ask(pairs, [](double straight) { return straight * (1 - 1e-6); }).below_euclid, 1u);
+  solver_.plugin.info.provides = 0;
+  EXPECT_EQ(ask(pairs, [](double straight) { return straight * (1 - 1e-6); }).below_euclid, 0u) << "not promised";
 }
 
 TEST_F(PairQueries, OnFaceWeightsAreNotComparedWithTheStraightLine) {
