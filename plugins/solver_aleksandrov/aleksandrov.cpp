@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver_aleksandrov/aleksandrov.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -54,6 +55,10 @@ double AleksandrovSolver::factor(const OptionValues* options) noexcept {
 
 std::unique_ptr<PreparedSurface> AleksandrovSolver::prepare(MeshPtr mesh, RunContext& context) const {
   context.throw_if_cancelled();
+  const auto positions = mesh->positions();
+  if (mesh->face_count() > 0 && std::ranges::all_of(positions, [&](const Vec3& p) { return p == positions[0]; }))
+    throw InputError(InputFault::degenerate, "all vertices of the surface are at one place",
+                     "choose an exact solver: nothing here tells how long rounding is");
   return std::make_unique<AleksandrovPrepared>(std::move(mesh), settings_, context);
 }
 
