@@ -37,12 +37,28 @@ after(async () => {
   for (const open of browsers.values()) await (await open).close();
 });
 
-/** Runs `test(page, log)` on a page with `data` (null: the empty template); `log` has all requests and errors. */
-export async function with_page(data, test, { viewport = { width: 1280, height: 800 }, dark = false, webgl = true } = {}) {
+/** Runs `work(folder)` in a folder that is removed afterwards. */
+export async function in_folder(work) {
   const folder = await mkdtemp(path.join(tmpdir(), "geodrome_page_"));
+  try {
+    await work(folder);
+  } finally {
+    await rm(folder, { recursive: true, force: true });
+  }
+}
+
+/** Runs `test(page, log)` on a page with `data` (null: the empty template); `log` has all requests and errors. */
+export async function with_page(data, test, options) {
   const template = await readFile(process.env.GEODROME_PAGE, "utf8");
-  const file = path.join(folder, "page.html");
-  await writeFile(file, data === null ? template : page_of(template, data));
+  await in_folder(async (folder) => {
+    const file = path.join(folder, "page.html");
+    await writeFile(file, data === null ? template : page_of(template, data));
+    await with_file(file, test, options);
+  });
+}
+
+/** The same on a page that is there. */
+export async function with_file(file, test, { viewport = { width: 1280, height: 800 }, dark = false, webgl = true } = {}) {
   const context = await (await browser(webgl)).newContext({ viewport, colorScheme: dark ? "dark" : "light" });
   try {
     const page = await context.newPage();
@@ -53,7 +69,6 @@ export async function with_page(data, test, { viewport = { width: 1280, height: 
     await test(page, log);
   } finally {
     await context.close();
-    await rm(folder, { recursive: true, force: true });
   }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// node run.mjs PAGE TEST: one file of tests on a built page. Chromium is the one in GEODROME_CHROMIUM, or on the PATH.
+// node run.mjs PAGE PROGRAM TEST: one file of tests on a built page, and on those that the program `geodrome` writes. Chromium is the one in GEODROME_CHROMIUM, or on the PATH.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import path from "node:path";
 
-const [page, test] = process.argv.slice(2);
+const [page, program, test] = process.argv.slice(2);
 
 function chromium() {
   if (process.env.GEODROME_CHROMIUM) return process.env.GEODROME_CHROMIUM;
@@ -20,6 +20,6 @@ if (!browser) {
   process.exit(0);
 }
 if (!existsSync(page)) throw new Error(`${page} is not there: build the target compare_page`);
-const env = { ...process.env, GEODROME_PAGE: page, GEODROME_CHROMIUM: browser };
+const env = { ...process.env, GEODROME_PAGE: page, GEODROME_PROGRAM: program, GEODROME_CHROMIUM: browser };
 const { status } = spawnSync(process.execPath, ["--test", test], { env, stdio: "inherit" });
 process.exit(status ?? 1);
