@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "support/program.hpp"
 
@@ -58,6 +59,16 @@ TEST_F(Rivals, StarsOfATorusAreRefusedWithTheWorstPlaces) {
   EXPECT_EQ(report["refusal"]["plugin"], "reconstructor_stars");
   ASSERT_FALSE(report["worst_places"].empty());
   EXPECT_EQ(report["worst_places"][0]["troubles"][0]["code"], "crowded_edges");
+}
+
+TEST_F(Rivals, KeepTheContractOfTheirStages) {
+  for (const auto& [plugin, verdict] : {std::pair("constant", "control_constant: 5 held, 0 failed, 0 not applicable"),
+                                        std::pair("stars", "held    reconstructor.sphere ")}) {
+    const Outcome outcome = run({"plugins", "check", plugin});
+    EXPECT_EQ(outcome.status, 0) << outcome.out;
+    EXPECT_NE(outcome.out.find(verdict), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(" 0 failed"), std::string::npos) << outcome.out;
+  }
 }
 
 TEST_F(Rivals, AGivenConstantPsiDecidesHowManyPointsAreKept) {

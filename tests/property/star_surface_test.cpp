@@ -202,6 +202,19 @@ TEST(StarSurface, RefusesAHoleOfAFewPointsAsAThinPlace) {
   EXPECT_FALSE(refusal_of(s, "boundary=open"));
 }
 
+TEST(StarSurface, InsertsPoints) {
+  const test::Staged s = staged("sphere", 1000, Sampling::uniform, 4);
+  const Reconstruction made = reconstruct(s);
+  ASSERT_TRUE(made.inserter);
+  Index left_out = 0;
+  while (std::binary_search(s.kept.begin(), s.kept.end(), left_out)) ++left_out;
+  const Inserted inserted = made.inserter->with(left_out);
+  ASSERT_NE(inserted.how, Insertion::existing);
+  EXPECT_EQ(inserted.mesh->positions()[inserted.vertex], s.sample.points[left_out]);
+  EXPECT_EQ(inserted.mesh->vertex_count(), made.mesh->vertex_count() + 1);
+  EXPECT_EQ(topology(*inserted.mesh), (Topology{2, 0, 1}));
+}
+
 TEST(StarSurface, DoesNotDependOnTheOrderOfPoints) {
   const PointSample sample = test::sphere(1500, 5);
   const std::vector<Index> order = test::permutation(sample.size(), 6);
