@@ -23,8 +23,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 using Method = CGAL::Heat_method_3::Surface_mesh_geodesic_distances_3<Mesh, CGAL::Heat_method_3::Intrinsic_Delaunay>;
 
 /// How much longer than the third two sides of a face must be together, relative to the longest. CGAL takes angles from
-/// the lengths, by Heron's formula, which loses the digits of that difference; with none left it flips edges for ever.
-/// Here about four are left.
+/// the lengths, by Heron's formula, which loses the digits of that difference. With none left it may flip edges for
+/// ever or give distances that are off by their own size; here about four are left.
 constexpr double least_excess = 1e-12;
 
 /// What CGAL adds to all lengths if there is a face without area, relative to the shortest edge.
@@ -33,6 +33,13 @@ constexpr double mollified = 1e-4;
 /// Heat falls by a factor of e or a little less in a mean edge; after so many it nears the end of the range of
 /// numbers, beyond which it has no direction.
 constexpr double farthest_heat = 690;
+
+/// How much faster than 1 a result may rise along an edge. On 1,500 random meshes whose mean error was below 10 % none
+/// rose faster than 2.9; above this some were off by 15 % on average and most by 30 to 600 %.
+constexpr double steepest = 4;
+
+/// Edges shorter than this share of the mean do not count alone: there smoothing may tilt a result as it likes.
+constexpr double no_edge = 1e-3;
 
 std::array<double, 3> sides(const SurfacePart& part, const Triangle& t) {
   const auto length = [&](int i) { return norm(part.positions[t[(i + 1) % 3]] - part.positions[t[i]]); };
@@ -79,6 +86,30 @@ Mesh copy_for_cgal(const SurfacePart& part) {
   return copy;
 }
 
+/// Throws NumericalError unless scaled `distances` are numbers within the reach of heat that rise as distances do.
+void require_distances(const SurfacePart& part, const std::vector<double>& distances, Index source) {
+  const auto refuse = [&](Index v, const std::string& why, const char* remedy) {
+    throw NumericalError("the heat of vertex " + std::to_string(part.vertex[source]) + " gives no distance of vertex " +
+                             std::to_string(part.vertex[v]) + ": " + why,
+                         remedy);
+  };
+  constexpr const char* needles = "remesh needle faces, or choose another solver";
+  for (Index v = 0; v < distances.size(); ++v) {
+    if (!(distances[v] < std::numeric_limits<double>::max()))  // what CGAL makes of NaN
+      refuse(v, "CGAL's result is no number", needles);
+    if (distances[v] > farthest_heat * part.mean_edge)
+      refuse(v, "it is more than 690 mean edges away", "make the mesh coarser, or choose another solver");
+  }
+  for (const Triangle& t : part.triangles) {
+    const auto lengths = sides(part, t);
+    for (int i = 0; i < 3; ++i) {
+      const double rise = std::abs(distances[t[(i + 1) % 3]] - distances[t[i]]);
+      if (rise > steepest * (lengths[i] + no_edge * part.mean_edge))
+        refuse(t[i], "along an edge CGAL's result rises faster than any distance", needles);
+    }
+  }
+}
+
 }  // namespace
 
 struct HeatSystem::Cgal {
@@ -105,20 +136,10 @@ const std::vector<double>& HeatSystem::from(Index source) {
     cgal_->method.add_source(Mesh::Vertex_index(source));
     cgal_->method.estimate_geodesic_distances(cgal_->distance);
   });
-  const auto refuse = [&](Index v, const char* why, const char* remedy) {
-    throw NumericalError("the heat of vertex " + std::to_string(part_.vertex[source]) + " does not come to vertex " +
-                             std::to_string(part_.vertex[v]) + ": " + why,
-                         remedy);
-  };
-  for (Index v = 0; v < distances_.size(); ++v) {
-    const double distance = cgal_->distance[Mesh::Vertex_index(v)];
-    if (!std::isfinite(distance))
-      refuse(v, "CGAL's result is no number", "remesh needle faces, or choose another solver");
-    if (distance > farthest_heat * part_.mean_edge)
-      refuse(v, "it is more than 690 mean edges away", "make the mesh coarser, or choose another solver");
-    distances_[v] = part_.original(distance);
-  }
+  for (Index v = 0; v < distances_.size(); ++v) distances_[v] = cgal_->distance[Mesh::Vertex_index(v)];
   distances_[source] = 0;
+  require_distances(part_, distances_, source);
+  for (double& distance : distances_) distance = part_.original(distance);
   return distances_;
 }
 

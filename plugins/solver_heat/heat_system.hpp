@@ -19,7 +19,8 @@ class HeatSystem {
   HeatSystem& operator=(const HeatSystem&) = delete;
 
   /// The distances of all vertices of the part from one of them, in lengths of the mesh: 0 at the source, none
-  /// negative. The same whatever was asked before. Throws NumericalError where heat does not come.
+  /// negative. The same whatever was asked before. Throws NumericalError for what cannot be distances: no numbers,
+  /// beyond the reach of heat, or rising along an edge by four times its length.
   const std::vector<double>& from(Index source);
 
  private:

@@ -66,7 +66,7 @@ TEST(FastMarching, APlaneFrontStaysPlane) {
     }
 }
 
-/// Corners of 153 and 162 degrees at every vertex. Without splitting errors are 5 and 12 % however fine the grid.
+/// Corners of 135 and 153 degrees at every vertex. Without splitting errors are 5 and 12 % however fine the grid.
 TEST(FastMarching, ObtuseCornersAreNoWorse) {
   constexpr Index n = 32, middle = (n + 1) * (n / 2) + n / 2;
   const double acute = mean_error(plane_grid(n), middle);
