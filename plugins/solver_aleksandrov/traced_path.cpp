@@ -5,12 +5,10 @@
 #include <cmath>
 
 #include "solver_aleksandrov/direct_way.hpp"
+#include "solver_aleksandrov/joint.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
-
-/// What rounding may be between two names of one place; about 1 is the mean edge.
-constexpr double close = 1e-10;
 
 Barycentric corner_coordinates(Index h) {
   Barycentric b{};
@@ -25,17 +23,6 @@ Barycentric on_edge(Index h, double length, double x) {
   return b;
 }
 
-/// The point of half-edge `h` of the flat surface that is nearest to a point of its face, and how far that is.
-struct OnEdge {
-  double distance = std::numeric_limits<double>::infinity();
-  SurfacePoint point;
-};
-OnEdge nearest_on_edge(const FlatSurface& surface, Index h, const Barycentric& b) {
-  const auto [x, y] = surface.in_frame(h, b);
-  const double on = std::clamp(x, 0.0, surface.length(h));
-  return {std::hypot(x - on, y), surface.point_on(h, on)};
-}
-
 /// Whether a face of the flat surface holds a point that is named in another one.
 bool holds(const FlatSurface& surface, Index face, const SurfacePoint& point) {
   for (Index i = 0; i < 3; ++i)
@@ -46,64 +33,6 @@ bool holds(const FlatSurface& surface, Index face, const SurfacePoint& point) {
   bool found = false;
   surface.for_each_name(point, [&](const SurfacePoint& name) { found = found || name.face == face; });
   return found;
-}
-
-/// Points that lead from one face of the flat surface into another, for a place that is in both up to rounding.
-struct Joint {
-  double distance = std::numeric_limits<double>::infinity();
-  std::vector<SurfacePoint> points;
-
-  void improve(double other, std::vector<SurfacePoint> through) {
-    if (other < distance) distance = other, points = std::move(through);
-  }
-};
-
-Joint through_common_edge(const FlatSurface& surface, const Piece& before, const Piece& after) {
-  Joint joint;
-  for (Index h = 3 * before.triangle; h < 3 * before.triangle + 3; ++h)
-    surface.for_each_across(h, [&](Index g, bool) {
-      if (g / 3 != after.triangle) return;
-      const OnEdge on = nearest_on_edge(surface, h, before.to);
-      joint.improve(on.distance, {on.point});
-    });
-  return joint;
-}
-
-/// Where three or more faces are within rounding of a place.
-Joint through_vertex_or_third_face(const FlatSurface& surface, const Piece& before, const Piece& after) {
-  Joint joint;
-  for (Index h = 3 * before.triangle; h < 3 * before.triangle + 3; ++h) {
-    const OnEdge here = nearest_on_edge(surface, h, before.to);
-    for (Index k = 3 * after.triangle; k < 3 * after.triangle + 3; ++k) {
-      if (surface.from(h) == surface.from(k)) {
-        const auto [x, y] = surface.in_frame(h, before.to);
-        joint.improve(std::hypot(x, y), {surface.point_on(h, 0)});
-      }
-      surface.for_each_across(h, [&](Index g, bool) {
-        surface.for_each_across(k, [&](Index other, bool) {
-          if (g / 3 != other / 3) return;
-          const OnEdge there = nearest_on_edge(surface, k, after.from);
-          joint.improve(here.distance + there.distance, {here.point, there.point});
-        });
-      });
-    }
-  }
-  return joint;
-}
-
-/// Where a vertex lies on an edge: over the edge, through the face without area between both, to the vertex.
-Joint through_vertex_on_edge(const FlatSurface& surface, const SurfacePoint& on_edge, const SurfacePoint& at_vertex) {
-  Joint joint;
-  for (Index h = 3 * on_edge.face; h < 3 * on_edge.face + 3; ++h)
-    surface.for_each_across(h, [&](Index g, bool) {
-      for (Index k = 3 * at_vertex.face; k < 3 * at_vertex.face + 3; ++k) {
-        if (surface.from(SurfaceMesh::previous(g)) != surface.from(k)) continue;
-        const OnEdge here = nearest_on_edge(surface, h, on_edge.b);
-        const auto [x, y] = surface.in_frame(k, at_vertex.b);
-        joint.improve(here.distance + std::hypot(x, y), {here.point, surface.point_on(k, 0)});
-      }
-    });
-  return joint;
 }
 
 }  // namespace
@@ -213,18 +142,9 @@ std::vector<Piece> TracedPath::pieces() const {
 /// The point between two pieces must lie in the faces of both.
 void TracedPath::append_joint(const Piece& before, const Piece& after, std::vector<SurfacePoint>& out) const {
   const FlatSurface& surface = discretization_.surface();
-  if (before.triangle == after.triangle) return out.push_back(surface.original({before.triangle, before.to}));
-  Joint joint = through_common_edge(surface, before, after);
-  if (!(joint.distance <= close)) {
-    Joint other = through_vertex_or_third_face(surface, before, after);
-    joint.improve(other.distance, std::move(other.points));
-    const SurfacePoint end{before.triangle, before.to}, start{after.triangle, after.from};
-    Joint onto = through_vertex_on_edge(surface, end, start), off = through_vertex_on_edge(surface, start, end);
-    std::reverse(off.points.begin(), off.points.end());
-    joint.improve(onto.distance, std::move(onto.points));
-    joint.improve(off.distance, std::move(off.points));
-  }
-  for (const SurfacePoint& point : joint.points) out.push_back(surface.original(point));
+  const SurfacePoint at{before.triangle, before.to};
+  if (before.triangle == after.triangle) return out.push_back(surface.original(at));
+  for (const SurfacePoint& point : joint(surface, at, after.triangle)) out.push_back(surface.original(point));
 }
 
 void TracedPath::append_inner_points(const SurfacePoint& from, const SurfacePoint& to,

@@ -301,6 +301,15 @@ TEST_P(AleksandrovFactor, HoldsOnFacesWithoutArea) {
   }
 }
 
+/// Paths cross several of them at one place.
+TEST_P(AleksandrovFactor, HoldsOnFacesWithoutAreaInARow) {
+  for (Index count = 1; count <= 10; ++count) {
+    SCOPED_TRACE("vertices on the seam: " + std::to_string(count));
+    const bool done = expect_promises(seam(count, count), GetParam(), 1, count);
+    EXPECT_TRUE(done || std::get<1>(GetParam()) == "as_is") << "too many edges";
+  }
+}
+
 std::string way_name(const testing::TestParamInfo<Way>& info) {
   return std::get<0>(info.param) + "_" + std::get<1>(info.param);
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "geodrome/surface.hpp"
@@ -146,6 +148,30 @@ inline MeshPtr both(const MeshPtr& a, const MeshPtr& b) {
 /// Two triangles that share vertex 0 alone: not manifold. Vertices 1, 2 and 3, 4 are sqrt(2) from it.
 inline MeshPtr bow_tie() {
   return make({{0, 0, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}}, {{0, 1, 2}, {0, 3, 4}});
+}
+
+/// Two triangles on the edge from (0, 0, 0) to (2, 0, 0), one of them cut into `count` + 1 by as many vertices on that
+/// edge; faces without area, which follow one another in any way, between both sides.
+inline MeshPtr seam(Index count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::vector<double> at{0, 2};
+  for (Index i = 0; i < count; ++i) at.push_back(0.05 + 1.9 * uniform(random));
+  std::sort(at.begin(), at.end());
+  std::vector<Vec3> p;
+  for (const double x : at) p.push_back({x, 0, 0});
+  const Index last = count + 1, above = count + 2, below = count + 3;
+  p.push_back({1, 1, 0}), p.push_back({1, -1, 0});
+  std::vector<Triangle> t{{last, 0, below}};
+  for (Index i = 0; i < last; ++i) t.push_back({i, i + 1, above});
+  for (std::vector<std::pair<Index, Index>> spans{{0, last}}; !spans.empty();) {
+    const auto [from, to] = spans.back();
+    spans.pop_back();
+    if (to - from < 2) continue;
+    const Index middle = from + 1 + static_cast<Index>(random() % (to - from - 1));
+    t.push_back({from, to, middle});
+    spans.emplace_back(from, middle), spans.emplace_back(middle, to);
+  }
+  return make(p, t);
 }
 
 /// Three triangles on the edge 0-1: not manifold.
