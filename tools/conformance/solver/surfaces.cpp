@@ -192,6 +192,17 @@ void audit_of_rough_surfaces(SolverTrial& t) {
   audit_of(t, stretched, {{stretched->at_vertex(44)}}, "terrain of needles");
 }
 
+/// Paths cross several faces without area at one place, one after the other.
+void audit_of_seams(SolverTrial& t) {
+  t.needs(any_point | paths);
+  for (const Index count : {1, 2, 5, 10}) {
+    const MeshPtr mesh = seam(count, count);
+    t.needs_fit(mesh);
+    for (const Index source : {Index{0}, count / 2 + 1, count + 2, count + 3})
+      audit_of(t, mesh, {{mesh->at_vertex(source)}}, "seam");
+  }
+}
+
 void audit_with_many_sources(SolverTrial& t) {
   t.needs(any_point | paths | face_sources);
   const MeshPtr mesh = terrain(12, 3, 37);
@@ -226,6 +237,7 @@ DemandTable surface_demands() {
       solver_demand<audit_of_flat_surfaces>("surfaces.audit_flat",
                                             "no jump on a face, no path of another length: flat surfaces"),
       solver_demand<audit_of_rough_surfaces>("surfaces.audit_rough", "the same on rough surfaces and needles"),
+      solver_demand<audit_of_seams>("surfaces.audit_no_area", "the same through faces without area, many in a row"),
       solver_demand<audit_with_many_sources>("surfaces.audit_sources", "the same with many sources in faces"),
   };
 }
