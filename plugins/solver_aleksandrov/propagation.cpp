@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "solver_aleksandrov/source_star.hpp"
+
 namespace geodrome::aleksandrov {
 
 Propagation::Propagation(const FlatSurface&, const Settings& discretization)
@@ -11,13 +13,17 @@ Propagation::Propagation(const FlatSurface&, const Settings& discretization)
 void Propagation::begin(bool, double limit) {
   search_.begin();
   starts_.clear(), starts_at_.clear(), watched_.clear(), labels_.touched_.clear();
-  limit_ = limit;
+  limit_ = limit, margin_ = 0;
 }
 
 void Propagation::seed(const Source& source, Index number) {
   const FlatSurface& surface = discretization_->surface();
   const Index vertex = surface.mesh().vertex_at(source.at);
-  if (vertex != no_index) return search_.seed(surface.vertex_of_original(vertex), source.start, number);
+  if (vertex != no_index) {
+    const Index node = surface.vertex_of_original(vertex);
+    if (graph().weighted()) margin_ = std::max(margin_, scaled_limit * source_star(graph(), node).reach);
+    return search_.seed(node, source.start, number);
+  }
   if (graph().weighted())
     throw CapabilityError(
         "on a weighted surface sources must be vertices: between two other points near a vertex the "
@@ -74,11 +80,25 @@ void Propagation::finish() {
 }
 
 Propagation::Way Propagation::way_to(const SurfacePoint& inner, double best) const {
+  Way way;
+  way.distance = best;
+  graph().for_each_name(discretization_->located(inner), [&](const SurfacePoint& name) {
+    through_nodes(name, way);
+    if (graph().weighted())
+      around_sources(name, way);
+    else
+      straight(name, way);
+  });
+  way.flat = inner;
+  return way.source == no_index ? Way{} : way;
+}
+
+void Propagation::through_nodes(const SurfacePoint& name, Way& way) const {
   struct Nearest {
     const SteinerGraph& graph;
     const NodeLabels& labels;
     Way& way;
-    const SurfacePoint* name;
+    const SurfacePoint& name;
 
     void via(Index, Point2, Index) const {}
     void vertex(Index corner, double length) const { point(graph.corner(corner).vertex, length); }
@@ -89,20 +109,44 @@ Propagation::Way Propagation::way_to(const SurfacePoint& inner, double best) con
     bool wants(Index node, double least) const { return labels.distance(node) + least < way.distance; }
     void point(Index node, double length) const {
       const double distance = labels.distance(node) + length;
-      if (distance < way.distance) way = {distance, labels.source(node), node, no_index, *name};
+      if (distance < way.distance) way = {distance, labels.source(node), node, no_index, name, {}};
     }
   };
-  Way way;
-  way.distance = best;
-  graph().for_each_name(discretization_->located(inner), [&](const SurfacePoint& name) {
-    graph().for_each_edge(name, Nearest{graph(), search_.labels(), way, &name});
-    for (const Index i : starts_near(name)) {
-      const double distance = starts_[i].distance + direct_way(graph(), starts_[i].at, name).distance;
-      if (distance < way.distance) way = {distance, starts_[i].source, no_index, i, name};
-    }
-  });
-  way.flat = inner;
-  return way.source == no_index ? Way{} : way;
+  graph().for_each_edge(name, Nearest{graph(), search_.labels(), way, name});
+}
+
+void Propagation::straight(const SurfacePoint& name, Way& way) const {
+  for (const Index i : starts_near(name)) {
+    const double distance = starts_[i].distance + direct_way(graph(), starts_[i].at, name).distance;
+    if (distance < way.distance) way = {distance, starts_[i].source, no_index, i, name, {}};
+  }
+}
+
+/// On a weighted surface all sources are vertices.
+void Propagation::around_sources(const SurfacePoint& name, Way& way) const {
+  const NodeLabels& labels = search_.labels();
+  for (Index i = 0; i < 3; ++i) {
+    const Index vertex = graph().corner(3 * name.face + i).vertex;
+    if (labels.source(vertex) != no_index && labels.previous(vertex) == no_index) around_source(name, i, way);
+  }
+}
+
+/// By a way from the source at corner `i` to a place farther out in the same direction.
+void Propagation::around_source(const SurfacePoint& name, Index i, Way& way) const {
+  const Index corner = 3 * name.face + i, vertex = graph().corner(corner).vertex;
+  const auto [width, reach] = source_star(graph(), vertex);
+  const double start = search_.labels().distance(vertex), away = length(graph().in_frame(corner, name.b));
+  if (!(away > 0) || way.distance - start >= surely_far * reach) return;
+  double out = scaled_limit / 2 * width;
+  for (; out > away && out * graph().weight(name.face) >= far_enough * reach; out /= scale_step) {
+    const double scale = out / away;
+    Way larger;
+    larger.distance = start + std::min(scale * (way.distance - start), scaled_limit * reach);
+    through_nodes(scaled(name, i, scale), larger);
+    if (larger.source != search_.labels().source(vertex)) continue;
+    larger.distance = start + (larger.distance - start) / scale;
+    if (larger.distance < way.distance) way = larger, way.around = vertex, way.scale = scale;
+  }
 }
 
 void Propagation::trace(const Way& way, std::vector<SurfacePoint>& out) const {
@@ -113,6 +157,7 @@ void Propagation::trace(const Way& way, std::vector<SurfacePoint>& out) const {
   }
   path.to_node(way.at, way.node);
   const SurfacePoint end = trace_nodes(way.node, path);
+  if (way.around != no_index) path.shrink(way.around, way.scale);
   path.append_inner_points(way.flat, end, out);
 }
 

@@ -24,13 +24,15 @@ class Propagation {
   using Settings = std::shared_ptr<const Discretization>;
   static constexpr std::size_t steps_a_poll = GraphSearch::steps_a_poll;
 
-  /// The shortest way to a place: from a node, or straight from a start.
+  /// The shortest way to a place: from a node, or straight from a start, or one around a source vertex made smaller.
   struct Way {
     double distance = std::numeric_limits<double>::infinity();
     Index source = no_index;
     Index node = no_index, start = no_index;
-    SurfacePoint at;    ///< the place, in a face of the graph's triangulation
+    SurfacePoint at;    ///< the place, in a face of the graph's triangulation; where the way is made smaller, its end
     SurfacePoint flat;  ///< the place, in a face of the flat surface
+    Index around = no_index;  ///< a source vertex: the way is one to `at`, made smaller by `scale` towards it
+    double scale = 1;
   };
 
   Propagation(const FlatSurface& surface, const Settings& discretization);
@@ -44,9 +46,9 @@ class Propagation {
   void run(const RunContext& context, LowerLimit&& lower_limit) {
     std::sort(starts_at_.begin(), starts_at_.end());
     std::size_t polls = 0;  // looking at watched points must cost less than the search
-    search_.run(context, limit_, [&] {
+    search_.run(context, limit_ + margin_, [&] {
       if (++polls % (1 + watched_.size() / 64) == 0) look_at_watched();
-      return lower_limit();
+      return lower_limit() + margin_;
     });
     finish();
   }
@@ -84,6 +86,10 @@ class Propagation {
   const SteinerGraph& graph() const { return discretization_->graph(); }
   std::vector<Index> starts_near(const SurfacePoint& at) const;
   void look_at_watched();
+  void through_nodes(const SurfacePoint& name, Way& way) const;
+  void straight(const SurfacePoint& name, Way& way) const;
+  void around_sources(const SurfacePoint& name, Way& way) const;
+  void around_source(const SurfacePoint& name, Index i, Way& way) const;
   SurfacePoint trace_nodes(Index node, TracedPath& path) const;
   void finish();
 
@@ -94,6 +100,7 @@ class Propagation {
   std::vector<std::pair<Index, Index>> starts_at_;  ///< (vertex of its face, start), ascending in a run
   std::vector<Watched> watched_;
   double limit_ = 0;
+  double margin_ = 0;  ///< so far beyond a place near a source vertex on a weighted surface its way is looked for
 };
 
 }  // namespace geodrome::aleksandrov

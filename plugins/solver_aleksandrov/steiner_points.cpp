@@ -9,6 +9,8 @@ namespace {
 
 /// Radius of a vicinity over delta and the distance from the vertex to the border of its star.
 constexpr double thin_share = 0.07, published_share = 1.0 / 7;
+/// On weighted surfaces vicinities are smaller by this factor, for what is near sources.
+constexpr double weighted_share = 0.5;
 /// What the published steps and vicinities are proven for, between any points.
 constexpr double published_limit = 0.4;
 /// A point moved along its bisector by its whole distance from the vertex would be at the vertex.
@@ -38,8 +40,9 @@ SteinerPlacement::SteinerPlacement(const IntrinsicTriangulation& triangulation, 
       radius_[v] = std::min(radius_[v], to_opposite_side(t_.face(f), i));
       lightest[v] = std::min(lightest[v], t_.weight(f)), heaviest[v] = std::max(heaviest[v], t_.weight(f));
     }
+  const double vicinity = t_.weighted() ? weighted_share * share : share;
   for (std::size_t v = 0; v < radius_.size(); ++v)
-    radius_[v] = std::max(rounding, share * radius_[v] * lightest[v] / heaviest[v]);
+    radius_[v] = std::max(rounding, vicinity * radius_[v] * lightest[v] / heaviest[v]);
   const double left = delta - 4 * share / (1 - 4 * share);
   step_ = thinning * (placement == Placement::thin ? std::sqrt(left * (2 + left)) : std::sqrt(delta / 2));
 }

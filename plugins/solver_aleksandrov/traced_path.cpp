@@ -6,6 +6,7 @@
 
 #include "solver_aleksandrov/direct_way.hpp"
 #include "solver_aleksandrov/joint.hpp"
+#include "solver_aleksandrov/source_star.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
@@ -121,6 +122,17 @@ void TracedPath::direct(const SurfacePoint& from, const SurfacePoint& to) {
     face = g / 3, start = on_edge(g, length, x);
   }
   segments_.push_back({face, start, to.b});
+}
+
+void TracedPath::shrink(Index vertex, double scale) {
+  for (Segment& segment : segments_) {
+    Index corner = 3;
+    for (Index i = 0; i < 3; ++i)
+      if (graph().corner(3 * segment.face + i).vertex == vertex && (corner == 3 || segment.to[i] > segment.to[corner]))
+        corner = i;
+    segment.from = scaled({segment.face, segment.from}, corner, 1 / scale).b;
+    segment.to = scaled({segment.face, segment.to}, corner, 1 / scale).b;
+  }
 }
 
 /// In faces of the flat surface; pieces of one straight segment in one face are one.

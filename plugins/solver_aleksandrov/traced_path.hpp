@@ -21,6 +21,9 @@ class TracedPath {
   /// Straight from place to place through faces around a vertex.
   void direct(const SurfacePoint& from, const SurfacePoint& to);
 
+  /// Makes a way that lies in the faces at a vertex smaller by `scale`, towards the vertex.
+  void shrink(Index vertex, double scale);
+
   /// Between a place and a node; infinity if they are not joined.
   double length_to_node(const SurfacePoint& at, Index node) const;
 

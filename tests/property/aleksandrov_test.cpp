@@ -141,6 +141,7 @@ struct Questions {
   std::vector<Source> sources;
   std::vector<SurfacePoint> anywhere, near;  ///< `near`: the sources, and beside each other
 
+  explicit Questions(const SurfacePoint& source) : sources{{source, 0}} {}
   Questions(const MeshPtr& mesh, std::size_t source_count, Random& random) {
     for (int n = 0; n < 30; ++n)
       anywhere.push_back(point_in(static_cast<Index>(random.index(mesh->face_count())), random));
@@ -152,6 +153,11 @@ struct Questions {
       sources.push_back({anywhere[random.index(anywhere.size())], random.uniform(0, longest_side(mesh, 0))});
   }
 };
+
+/// A place in a face with the tip of a fan as corner 0, at `scale` times the distance from the tip.
+SurfacePoint nearer(const SurfacePoint& p, double scale) {
+  return {p.face, {1 - scale * (p.b[1] + p.b[2]), scale * p.b[1], scale * p.b[2]}};
+}
 
 /// That D is a distance within the factor, given the true one; `noise` is an absolute error of both.
 void expect_within(double d, double D, double delta, double noise) {
@@ -190,9 +196,9 @@ void expect_factor(const MeshPtr& mesh, const Questions& ask, const ShortestPath
   }
 }
 
-/// That a path is as long as the distance says, on the surface.
+/// That a path is as long as the distance says, on the surface; rounding is relative to `size`.
 void expect_path(const MeshPtr& mesh, const CommonFace& faces, const ShortestPathMap& map, const Questions& ask,
-                 const SurfacePoint& to) {
+                 const SurfacePoint& to, double size) {
   const Distance distance = map.at(to);
   if (distance.reach != Reach::reached) return;
   std::vector<SurfacePoint> path;
@@ -206,7 +212,7 @@ void expect_path(const MeshPtr& mesh, const CommonFace& faces, const ShortestPat
     ASSERT_TRUE(piece) << "piece " << i << " of " << path.size() << " is in no face";
     length += *piece;
   }
-  EXPECT_NEAR(length, distance.value, rounding_of_distances * std::max(largest(map), distance.value));
+  EXPECT_NEAR(length, distance.value, rounding_of_distances * std::max(size, distance.value));
 }
 
 void expect_paths(const MeshPtr& mesh, const ShortestPathMap& map, const Questions& ask, Random& random) {
@@ -215,13 +221,13 @@ void expect_paths(const MeshPtr& mesh, const ShortestPathMap& map, const Questio
     for (const SurfacePoint& p : *points) {
       SCOPED_TRACE(testing::Message() << "path from face " << p.face << " b " << p.b[0] << " " << p.b[1] << " "
                                       << p.b[2]);
-      expect_path(mesh, faces, map, ask, p);
+      expect_path(mesh, faces, map, ask, p, largest(map));
     }
   for (int n = 0; n < 20; ++n) {
     const Index v = random_vertex(mesh, random);
     if (mesh->first_half_edge(v) == no_index) continue;
     SCOPED_TRACE("path from vertex " + std::to_string(v));
-    expect_path(mesh, faces, map, ask, mesh->at_vertex(v));
+    expect_path(mesh, faces, map, ask, mesh->at_vertex(v), largest(map));
   }
 }
 
@@ -307,6 +313,48 @@ TEST_P(AleksandrovFactor, HoldsOnFacesWithoutAreaInARow) {
     SCOPED_TRACE("vertices on the seam: " + std::to_string(count));
     const bool done = expect_promises(seam(count, count), GetParam(), 1, count);
     EXPECT_TRUE(done || std::get<1>(GetParam()) == "as_is") << "too many edges";
+  }
+}
+
+/// A fan of flat faces with weights, around vertex 0: open, or closed and a cone or a saddle.
+MeshPtr weighted_fan(Random& random) {
+  const Index faces = 3 + static_cast<Index>(random.index(6));
+  const MeshPtr plain = fan(faces, random.uniform(0.15, std::min(1.2, 5.5 / faces)));
+  std::vector<double> weights;
+  const std::size_t count = random.index(2) ? plain->face_count() : plain->face_count() - 1;
+  for (std::size_t f = 0; f < count; ++f) weights.push_back(std::pow(10, random.uniform(-2, 0.5)));
+  const auto faces_kept = plain->triangles().subspan(0, count);
+  return share(SurfaceMesh({plain->positions().begin(), plain->positions().end()},
+                           {faces_kept.begin(), faces_kept.end()}, weights));
+}
+
+/// Places so near the tip that no way to them leaves the fan, and places nearer in the same direction.
+void expect_proportions(const MeshPtr& mesh, const ShortestPathMap& fine, const ShortestPathMap& map, double delta,
+                        Random& random) {
+  const auto [least, most] = std::ranges::minmax(mesh->face_weights());
+  const Questions ask(mesh->at_vertex(0));
+  const CommonFace faces(*mesh);
+  for (int n = 0; n < 30; ++n) {
+    const Index face = static_cast<Index>(random.index(mesh->face_count()));
+    const SurfacePoint far = nearer(point_in(face, random), 0.2 * least / most);
+    const double scale = std::pow(10, -random.uniform(0, 9)), d = scale * fine.at(far).value;
+    const SurfacePoint near = nearer(far, scale);
+    SCOPED_TRACE(testing::Message() << "delta " << delta << ", face " << face << ", scale " << scale);
+    EXPECT_LE(map.at(near).value, (1 + delta) * d * (1 + rounding_of_distances));
+    EXPECT_GE(1.05 * map.at(near).value, d * (1 - rounding_of_distances));
+    expect_path(mesh, faces, map, ask, near, rounding_of_places / rounding_of_distances);
+  }
+}
+
+TEST_P(AleksandrovFactor, HoldsOnWeightedFacesNearTheSource) {
+  for (std::uint64_t seed = 1; seed <= 9; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const MeshPtr mesh = weighted_fan(random);
+    const double delta = deltas[seed % 3];
+    geodrome::test::Run fine(selection(GetParam(), 0.05), mesh), run(selection(GetParam(), delta), mesh);
+    const std::vector<Source> tip{{mesh->at_vertex(0)}};
+    expect_proportions(mesh, fine.from(tip), run.from(tip), delta, random);
   }
 }
 
