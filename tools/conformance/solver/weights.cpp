@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Weights of faces: values against formulas, paths, the audit.
 #include <algorithm>
+#include <numbers>
 
 #include "engine/report/common_face.hpp"
 #include "geodrome/engine/audit.hpp"
@@ -116,6 +117,43 @@ void growth(SolverTrial& t) {
   }
 }
 
+/// Faces at vertex 0 between directions in the plane, in degrees; legs are 1 long.
+MeshPtr wedges(const std::vector<double>& directions, std::vector<double> weights) {
+  std::vector<Vec3> positions{{0, 0, 0}};
+  std::vector<Triangle> triangles;
+  for (const double degrees : directions) {
+    const double angle = degrees * std::numbers::pi / 180;
+    positions.push_back({std::cos(angle), std::sin(angle), 0});
+  }
+  for (Index i = 1; i < directions.size(); ++i) triangles.push_back({0, i, i + 1});
+  return with_weights(make(positions, triangles), std::move(weights));
+}
+
+/// Ways from a vertex cost in proportion along a ray, as long as they stay between the faces there: a cheap edge serves
+/// places near the vertex like others.
+void along_rays(SolverTrial& t) {
+  t.needs(weights | any_point);
+  t.needs_factor();
+  const MeshPtr meshes[] = {wedges({-60, 0, 5, 10}, {0.01, 1, 1.1}), wedges({0, 10, 25, 40, 80}, {3, 2, 2.5, 0.2}),
+                            wedges({-50, 0, 50, 100, 150}, {0.5, 0.02, 4, 1})};
+  const double factor = t.plugin.factor * (1 + rounding);
+  for (const MeshPtr& mesh : meshes) {
+    Running running(t.plugin, mesh);
+    const ShortestPathMap& map = running.map({{mesh->at_vertex(0)}});
+    for (Index face = 0; face < mesh->face_count(); ++face)
+      for (const double share : {0.0, 0.05, 0.5, 0.95}) {
+        const auto slope = [&](double away) {
+          return map.at({face, {1 - away, share * away, (1 - share) * away}}).value / away;
+        };
+        const double cone = slope(1e-3);
+        for (const double away : {1e-4, 1e-5, 1e-6}) {
+          t.at_most(slope(away), factor * cone, "face ", face, ", nearer by ", away / 1e-3);
+          t.at_least(factor * slope(away), cone, "face ", face, ", nearer by ", away / 1e-3);
+        }
+      }
+  }
+}
+
 void costs_of_paths(SolverTrial& t) {
   t.needs(weights | any_point | paths | path_is_distance);
   const MeshPtr mesh = with_random_weights(terrain(10, 1.5, 101), 103);
@@ -158,6 +196,7 @@ DemandTable weight_demands() {
       solver_demand<refraction>("weights.refraction", "between half planes of two weights ways obey Snell's law"),
       solver_demand<scale>("weights.scale", "weights 1024 times as large give distances to match"),
       solver_demand<growth>("weights.growth", "larger weights shorten nothing, and lengthen in proportion at most"),
+      solver_demand<along_rays>("weights.near_a_source", "near a source costs grow in proportion along a ray"),
       solver_demand<costs_of_paths>("weights.paths", "paths cost what the distance says"),
       solver_demand<audited>("weights.audit", "no jump on a face, no path of another cost"),
   };
