@@ -170,6 +170,28 @@ TEST(DirectWay, CrossesMirroredEdgesAndEdgesOfThreeFaces) {
   }
 }
 
+/// Ways around a vertex where at each of many edges there are two faces to go on through: 2^40 of them.
+TEST(DirectWay, TakesTheLeastTurnWhereManyFacesMeet) {
+  constexpr Index count = 40;
+  const double wide = 2.5 / count;
+  std::vector<Vec3> p{{0, 0, 0}};
+  std::vector<Triangle> t;
+  const auto leg = [&](double angle, double z) {
+    const double r = std::sqrt(1 - z * z);
+    p.push_back({r * std::cos(angle), r * std::sin(angle), z});
+    return static_cast<Index>(p.size() - 1);
+  };
+  Index last = leg(0, 0);
+  for (Index i = 0; i < count; ++i) {
+    const Index roof = leg((i + 0.5) * wide, 0.02), next = leg((i + 1) * wide, 0);
+    t.push_back({0, last, next}), t.push_back({0, last, roof}), t.push_back({0, roof, next});
+    last = next;
+  }
+  const Ready ready(geodrome::test::make(p, t));
+  const SurfacePoint from = polar(0, 0.1, 0.2 * wide, wide), to = polar(3 * (count - 1), 0.2, 0.7 * wide, wide);
+  expect_way(ready, ready.located(from), ready.located(to), chord(0.1, 0.2, (count - 0.5) * wide));
+}
+
 TEST(DirectWay, IsNotBetweenFacesThatHaveNoVertexInCommon) {
   const Ready ready(geodrome::test::plane_grid(3));
   const SurfacePoint from = ready.located({0, {0.3, 0.3, 0.4}}), to = ready.located({17, {0.3, 0.3, 0.4}});
