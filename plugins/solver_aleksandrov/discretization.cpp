@@ -3,8 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
+#include <string>
 
+#include "geodrome/errors.hpp"
 #include "solver_aleksandrov/intrinsic/delaunay.hpp"
 
 namespace geodrome::aleksandrov {
@@ -15,8 +18,40 @@ constexpr double tiny = 1e-14;
 /// Nearer to an edge than this share of the face's size, a place is on it.
 constexpr double on_edge = 4e-15;
 
+/// A graph of so many nodes takes about 2 GB, and every search over it 4 GB more.
+constexpr double most_nodes = 1e8;
+/// To compare so many edges takes a search a quarter of an hour or more.
+constexpr double most_edges = 1e11;
+
 double edges(const IntrinsicTriangulation& triangulation, const Settings& settings) {
   return edge_count(triangulation, {triangulation, settings.placement, settings.delta, settings.thinning});
+}
+
+std::string shown(double count) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", count);
+  return text;
+}
+
+/// Options that are in use already help no more.
+std::string remedy(const IntrinsicTriangulation& triangulation, const Settings& settings) {
+  std::string text;
+  if (settings.triangulation != Triangulation::refined) text += "triangulation=refined, ";
+  if (settings.delta < 1) text += "a delta above " + shown(settings.delta) + ", ";
+  if (!triangulation.weighted()) text += "an exact solver, ";
+  return text + "or a mesh without faces that thin";
+}
+
+/// The placement, unless a search would take too much of memory or time.
+SteinerPlacement placed(const IntrinsicTriangulation& triangulation, const Settings& settings) {
+  SteinerPlacement placement(triangulation, settings.placement, settings.delta, settings.thinning);
+  const double nodes = node_count(triangulation, placement), edges = edge_count(triangulation, placement);
+  if (!(nodes < most_nodes && edges < most_edges))
+    throw RefusedError("this surface takes " + shown(nodes) + " Steiner points and " + shown(edges) +
+                           " edges between them, of which " + shown(most_nodes) + " and " + shown(most_edges) +
+                           " are bearable: it has very many triangles, or very thin ones",
+                       remedy(triangulation, settings));
+  return placement;
 }
 
 /// Refinement pays where thin faces can be had rid of, not where the surface is a thin strip: then it makes many.
@@ -46,7 +81,7 @@ bool move_to_side(const IntrinsicTriangulation::Face& face, int i, double close,
 Discretization::Discretization(const FlatSurface& surface, const Settings& settings, const RunContext& context)
     : surface_(surface),
       triangulation_(triangulated(surface, settings, context)),
-      graph_(triangulation_, {triangulation_, settings.placement, settings.delta, settings.thinning}) {}
+      graph_(triangulation_, placed(triangulation_, settings)) {}
 
 SurfacePoint Discretization::located(const SurfacePoint& flat) const {
   SurfacePoint at = triangulation_.located(flat);

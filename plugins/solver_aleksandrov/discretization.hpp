@@ -26,7 +26,7 @@ struct Settings {
 /// A surface made ready for approximate searches. Immutable; shared by threads.
 class Discretization {
  public:
-  /// O(F log F) and the Steiner points. Throws CapabilityError if these are too many; may throw Cancelled.
+  /// O(F log F) and the Steiner points. Throws RefusedError if these are too many; may throw Cancelled.
   Discretization(const FlatSurface& surface, const Settings& settings, const RunContext& context);
 
   const FlatSurface& surface() const { return surface_; }

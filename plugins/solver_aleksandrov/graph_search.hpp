@@ -110,11 +110,13 @@ class GraphSearch {
   /// Offers a node a way from a source that is not through another node.
   void seed(Index node, double distance, Index source);
 
-  /// Settles all nodes up to `limit`. `lower_limit()` is called once in `steps_a_poll` nodes and may give a lower one.
-  /// May throw Cancelled.
+  /// Settles all nodes up to `limit`. `lower_limit()` is called once in `steps_a_poll` nodes, or more often where nodes
+  /// see many others, and may give a lower one. May throw Cancelled.
   template <class LowerLimit>
   void run(const RunContext& context, double limit, LowerLimit&& lower_limit);
   static constexpr std::size_t steps_a_poll = 1024;
+  /// Some milliseconds; on weighted surfaces a tenth of a second.
+  static constexpr std::uint64_t edges_a_poll = 1000000;
 
   /// Final up to the limit of the run; lengths of some ways beyond.
   const NodeLabels& labels() const { return labels_; }
@@ -172,8 +174,10 @@ class GraphSearch::Relax : public boost::default_bfs_visitor {
 template <class LowerLimit>
 void GraphSearch::run(const RunContext& context, double limit, LowerLimit&& lower_limit) {
   std::size_t step = 0;
+  std::uint64_t polled = 0;  // edges compared until then
   auto poll = [&] {
-    if (step++ % steps_a_poll != 0) return;
+    if (step++ % steps_a_poll != 0 && edges_.compared() - polled < edges_a_poll) return;
+    polled = edges_.compared();
     context.throw_if_cancelled();
     limit = std::min(limit, lower_limit());
   };

@@ -1,22 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver_aleksandrov/steiner_graph.hpp"
 
-#include <string>
-
 namespace geodrome::aleksandrov {
-namespace {
-
-/// A search over 2^28 nodes takes about 11 GB.
-constexpr double most_nodes = 268435456.0;
-
-std::string shown(double count) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", count);
-  return text;
-}
-
-}  // namespace
-
 SteinerGraph::SteinerGraph(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement)
     : corners_(3 * triangulation.face_count()), first_corner_(triangulation.vertex_count() + 1, 0) {
   for (Index h = 0; h < corners_.size(); ++h) {
@@ -59,10 +44,6 @@ void SteinerGraph::add_points(const IntrinsicTriangulation& triangulation, const
   std::vector<Bisector> bisectors(corners_.size());
   double nodes = triangulation.vertex_count();
   for (Index h = 0; h < corners_.size(); ++h) nodes += (bisectors[h] = placement.at(h)).count;
-  if (!(nodes < most_nodes))
-    throw CapabilityError("this surface takes " + shown(nodes) + " Steiner points, of which " + shown(most_nodes) +
-                              " can be had: it has very thin triangles",
-                          "triangulation=refined, a larger delta, or an exact solver");
   distance_.reserve(static_cast<std::size_t>(nodes));
   distance_.assign(triangulation.vertex_count(), 0);
   for (Index h = 0; h < corners_.size(); ++h) {

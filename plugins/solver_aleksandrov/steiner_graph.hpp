@@ -40,7 +40,7 @@ class SteinerGraph {
     double x, y, dx, dy;
   };
 
-  /// Throws CapabilityError if there are more points than `Index` can count, or more than memory would hold.
+  /// The points of the placement must be counted before: `Index` has to hold their number, and memory them.
   SteinerGraph(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement);
 
   Index vertex_count() const { return static_cast<Index>(first_corner_.size() - 1); }

@@ -66,6 +66,12 @@ Bisector SteinerPlacement::at(Index h) const {
   return {radius * 2 * ratio / (1 + ratio), ratio, cells};
 }
 
+double node_count(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement) {
+  double nodes = triangulation.vertex_count();
+  for (Index h = 0; h < 3 * triangulation.face_count(); ++h) nodes += placement.at(h).count;
+  return nodes;
+}
+
 double edge_count(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement) {
   double edges = 0;
   const auto points = [&](Index h) { return placement.at(h).count + placement.at(SurfaceMesh::next(h)).count + 2; };

@@ -40,6 +40,9 @@ class SteinerPlacement {
   double step_ = 0;             ///< thin: the step over the tangent of half the angle; published: over its sine
 };
 
+/// How many nodes the graph has that comes of a placement: what it and a search take of memory. O(F).
+double node_count(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement);
+
 /// About how many edges the graph has that comes of a placement, counted from both ends: what a search costs. O(F).
 double edge_count(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement);
 
