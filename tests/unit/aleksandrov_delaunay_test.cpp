@@ -75,6 +75,19 @@ TEST(Delaunay, IsFoundFromAnyTriangulationOfTheSameSurface) {
   }
 }
 
+/// Two faces without area, or nearly, on one long edge: the sum of the opposite angles is about 2 pi.
+TEST(Delaunay, FlipsTheLongEdgeOfTwoFlatCaps) {
+  for (const double height : {0.0, 1e-14, 1e-12, 1e-9, 1e-5, 1e-2}) {
+    SCOPED_TRACE(testing::Message() << "height " << height);
+    const FlatSurface surface(
+        geodrome::test::make({{0, 0, 0}, {2, 0, 0}, {0.5, height, 0}, {1.2, -height, 0}, {1, 1, 0}, {1, -1, 0}},
+                             {{0, 1, 2}, {1, 0, 3}, {0, 2, 4}, {2, 1, 4}, {3, 0, 5}, {1, 3, 5}}));
+    const IntrinsicTriangulation t = delaunay(surface);
+    const double longest = std::ldexp(1.9, surface.exponent());
+    for (Index h = 0; h < 3 * t.face_count(); ++h) EXPECT_LT(t.length(h), longest);
+  }
+}
+
 /// Angles are fair, or the surface has them: thin faces stay only at its own sharp corners, and where edges that cannot
 /// be flipped end there, which are not split.
 TEST(Refinement, LeavesNoAngleBelowTheBoundThatTheSurfaceHasNot) {

@@ -10,6 +10,9 @@ constexpr double tie = 1e-10;
 bool wants_flip(const IntrinsicTriangulation& t, Index h, Index g) {
   const auto &f = t.face(h / 3), &k = t.face(g / 3);
   const int i = static_cast<int>(SurfaceMesh::previous(h) % 3), j = static_cast<int>(SurfaceMesh::previous(g) % 3);
+  const double sines = f.sine[i] * k.sine[j], cosines = f.cosine[i] * k.cosine[j];
+  // Beyond 3/2 pi: the sine goes back to 0 where two flat caps stand on one edge.
+  if (f.cosine[i] < 0 && k.cosine[j] < 0 && cosines > sines) return true;
   return f.sine[i] * k.cosine[j] + f.cosine[i] * k.sine[j] < -tie;  // the sine of the sum
 }
 
