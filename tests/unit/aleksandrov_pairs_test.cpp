@@ -8,6 +8,7 @@
 
 #include "solver_aleksandrov/pairs/least_sum.hpp"
 #include "solver_aleksandrov/pairs/pair_index.hpp"
+#include "solver_aleksandrov/pairs/pair_oracle.hpp"
 #include "solver_aleksandrov/pairs/region_tree.hpp"
 #include "solver_aleksandrov/strip_scan.hpp"
 #include "solver_chen_han/chen_han.hpp"
@@ -142,6 +143,28 @@ TEST_F(PairBounds, AreRefusedWhereTheFileIsCutOffOrDamaged) {
       const PairIndex index(*mesh_, in);
       for (Index v = 0; v < mesh_->vertex_count(); ++v) index.between(v, 3);
     } catch (const InputError&) {
+    }
+  }
+}
+
+/// Coordinates whose squares are no numbers any more, and such as floats cannot hold.
+TEST(PairOracle, AnswersAlikeInAnyUnit) {
+  QuietContext context;
+  const MeshPtr mesh = test::bumpy_torus(30, 16, 0.1, 7);
+  const auto oracle_at = [&](int exponent) {
+    const MeshPtr other = test::mapped(mesh, [&](const Vec3& p) {
+      return Vec3{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
+    });
+    return make_pair_oracle(FlatSurface(other), 0.1, nullptr, context);
+  };
+  const auto plain = oracle_at(0);
+  for (const int exponent : {-530, -330, -146, -130, 120, 140, 330, 530}) {
+    SCOPED_TRACE(testing::Message() << "times 2^" << exponent);
+    const auto oracle = oracle_at(exponent);
+    std::mt19937_64 random(8);
+    for (int n = 0; n < 50; ++n) {
+      const SurfacePoint p = test::random_point(*mesh, random), q = test::random_point(*mesh, random);
+      EXPECT_EQ(std::ldexp(oracle->distance(p, q), -exponent), plain->distance(p, q));
     }
   }
 }

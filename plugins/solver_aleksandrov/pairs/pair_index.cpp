@@ -17,8 +17,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A sum of two floats that were rounded up is below the true one by less than this share, and above by less than
-/// twice as much more.
-constexpr double float_share = 1.2e-7;
+/// twice as much more; where they are next to 0, by less than this length.
+constexpr double float_share = 1.2e-7, float_least = 4 * std::numeric_limits<float>::denorm_min();
 constexpr std::size_t leaf_faces = 128;
 
 /// A region as a mesh of its own.
@@ -78,7 +78,7 @@ void read(std::istream& in, std::vector<T>& values) {
   }
 }
 
-constexpr std::uint64_t magic = 0x3130524941504447;  // "GDPAIR01", little-endian
+constexpr std::uint64_t magic = 0x3230524941504447;  // "GDPAIR02", little-endian
 
 }  // namespace
 
@@ -140,7 +140,7 @@ Bounds PairIndex::between(Index from, Index to) const {
     const Columns& region = regions_[a];
     const double sum = least_sum(here + region.first, there + region.first, region.last - region.first);
     most = std::min(most, sum * (1 + float_share));
-    least = std::min(least, sum * (1 - 2 * float_share) - region.detour);
+    least = std::min(least, sum * (1 - 2 * float_share) - float_least - region.detour);
   }
   return {std::max(0.0, least), most};
 }

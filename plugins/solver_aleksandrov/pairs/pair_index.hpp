@@ -22,8 +22,9 @@ struct Bounds {
 /// Immutable; thread-safe.
 class PairIndex {
  public:
-  /// Searches from every portal within its region, by an exact solver. `spacing`: of portals along cut edges. May throw
-  /// Cancelled. Memory: 4 bytes for each vertex and portal of its regions.
+  /// Searches from every portal within its region, by an exact solver. `spacing`: of portals along cut edges. Distances
+  /// are kept as floats: the mean edge of the mesh should be about 1. May throw Cancelled. Memory: 4 bytes for each
+  /// vertex and portal of its regions.
   PairIndex(MeshPtr mesh, double spacing, const ShortestPathSolver& exact, RunContext& context);
 
   /// Reads what `save` wrote. Throws InputError if it is cut off, damaged or belongs to another number of vertices.

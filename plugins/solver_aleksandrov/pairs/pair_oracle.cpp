@@ -2,6 +2,7 @@
 #include "solver_aleksandrov/pairs/pair_oracle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <utility>
 #include <vector>
@@ -28,12 +29,24 @@ double spacing_for(const SurfaceMesh& mesh, double delta) {
   return mean_edge(mesh) * std::max(least_spacing, spacing_over_delta * delta);
 }
 
+/// The mesh multiplied by a power of two, which is exact: what an index holds are floats, and sums of squares are kept
+/// from overflow.
+MeshPtr scaled(const SurfaceMesh& mesh, int exponent) {
+  std::vector<Vec3> positions;
+  for (const Vec3& p : mesh.positions())
+    positions.push_back({std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)});
+  return std::make_shared<const SurfaceMesh>(std::move(positions),
+                                             std::vector<Triangle>(mesh.triangles().begin(), mesh.triangles().end()));
+}
+
 ChenHanSolver exact_solver() { return ChenHanSolver(OptionValues(ChenHanSolver::options)); }
 
+/// On a mesh whose mean edge is about 1.
 class IndexedPairs final : public PairOracle {
  public:
-  IndexedPairs(MeshPtr mesh, double delta, PairIndex index, RunContext& context)
+  IndexedPairs(MeshPtr mesh, int exponent, double delta, PairIndex index, RunContext& context)
       : mesh_(std::move(mesh)),
+        exponent_(exponent),
         delta_(delta),
         index_(std::move(index)),
         prepared_(exact_solver().prepare(mesh_, context)) {}
@@ -43,8 +56,8 @@ class IndexedPairs final : public PairOracle {
     require_on_surface(*mesh_, to, "a point");
     if (mesh_->vertex_at(from) != no_index && mesh_->vertex_at(from) == mesh_->vertex_at(to)) return 0;
     const Bounds bounds = by_corners(corners(from), corners(to));
-    return bounds.most <= (1 + delta_) * bounds.least ? bounds.most
-                                                      : std::min(bounds.most, searched(from, to, bounds.most));
+    const bool near_enough = bounds.most <= (1 + delta_) * bounds.least;
+    return std::ldexp(near_enough ? bounds.most : std::min(bounds.most, searched(from, to, bounds.most)), -exponent_);
   }
 
   void save(std::ostream& out) const override { index_.save(out); }
@@ -107,6 +120,7 @@ class IndexedPairs final : public PairOracle {
   }
 
   MeshPtr mesh_;
+  int exponent_;  ///< lengths here are those of the mesh that is asked about times 2^exponent
   double delta_;
   PairIndex index_;
   std::unique_ptr<PreparedSurface> prepared_;
@@ -116,13 +130,15 @@ class IndexedPairs final : public PairOracle {
 
 }  // namespace
 
-std::unique_ptr<PairOracle> make_pair_oracle(MeshPtr mesh, double delta, std::istream* saved, RunContext& context) {
-  if (!mesh->face_weights().empty())
+std::unique_ptr<PairOracle> make_pair_oracle(const FlatSurface& surface, double delta, std::istream* saved,
+                                             RunContext& context) {
+  if (!surface.mesh().face_weights().empty())
     throw CapabilityError("pair queries on weighted surfaces are not supported",
                           "leave the weights out, or ask for distances from sources");
+  MeshPtr mesh = scaled(surface.mesh(), surface.exponent());
   PairIndex index =
       saved ? PairIndex(*mesh, *saved) : PairIndex(mesh, spacing_for(*mesh, delta), exact_solver(), context);
-  return std::make_unique<IndexedPairs>(std::move(mesh), delta, std::move(index), context);
+  return std::make_unique<IndexedPairs>(std::move(mesh), surface.exponent(), delta, std::move(index), context);
 }
 
 }  // namespace geodrome::aleksandrov
