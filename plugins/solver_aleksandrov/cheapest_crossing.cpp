@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "solver_aleksandrov/cheapest_crossing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -12,7 +13,8 @@ namespace {
 double critical_offset(double height, double weight, double along) {
   if (height == 0) return 0;
   if (along >= weight) return std::numeric_limits<double>::infinity();
-  return height * along / std::sqrt((weight - along) * (weight + along));
+  const double sine = along / weight;  // 1 - sine by the difference, which is exact where it is small
+  return height * sine / std::sqrt((weight - along) / weight * (1 + sine));
 }
 
 /// Where a line refracts between heights h and k that are dx apart, from below h. Newton's method on the derivative of
@@ -26,7 +28,7 @@ double refraction(double h, double above, double k, double below, double dx) {
     (slope > 0 ? high : low) = u;
     double next = u - slope / growth;
     if (!(next > low && next < high)) next = (low + high) / 2;
-    if (std::abs(next - u) <= 1e-15 * dx) break;
+    if (std::abs(next - u) <= 1e-15 * std::min(u, v)) break;
     u = next;
   }
   return u;

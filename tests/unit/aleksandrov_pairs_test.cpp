@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
 #include <random>
 #include <set>
 #include <sstream>
@@ -144,6 +146,19 @@ TEST_F(PairBounds, AreRefusedWhereTheFileIsCutOffOrDamaged) {
       for (Index v = 0; v < mesh_->vertex_count(); ++v) index.between(v, 3);
     } catch (const InputError&) {
     }
+  }
+}
+
+TEST_F(PairBounds, AreRefusedWithADetourThatIsNoLength) {
+  std::stringstream file;
+  index_.save(file);
+  // After the format and the number of regions: parent, depth, columns, detour.
+  constexpr std::size_t at = 8 + 8 + 16;
+  for (const double detour : {-1.0, std::numeric_limits<double>::quiet_NaN(), HUGE_VAL}) {
+    std::string bad = file.str();
+    std::memcpy(bad.data() + at, &detour, sizeof detour);
+    std::istringstream in(bad);
+    EXPECT_THROW(PairIndex(*mesh_, in), InputError) << detour;
   }
 }
 

@@ -56,6 +56,30 @@ TEST(CheapestCrossing, IsTheLeastOfAllWaysOverTheEdge) {
   }
 }
 
+/// A dear face that is hardly entered: the way leaves it almost at once, far less than rounding of the whole length
+/// away.
+TEST(CheapestCrossing, IsCheapestNextToAnEdgeOfADearFace) {
+  for (const double height : {1e-9, 1e-12, 1e-15, 1e-18}) {
+    const Crossing way = cheapest_crossing({0, height}, 1e8, {1, -1}, 1, 1);
+    EXPECT_LE(way.cost, (std::sqrt(2) + 1e8 * height) * (1 + 1e-15)) << height;
+  }
+}
+
+TEST(CheapestCrossing, IsAlikeForWeightsOfAnySize) {
+  std::mt19937_64 random(4);
+  for (int i = 0; i < 100; ++i) {
+    const Scene s = random_scene(random);
+    const Crossing plain = cheapest_crossing(s.p, s.above, s.q, s.below, s.along);
+    for (const int exponent : {-600, 600}) {
+      const double times = std::ldexp(1, exponent);
+      const Crossing way = cheapest_crossing(s.p, times * s.above, s.q, times * s.below, times * s.along);
+      EXPECT_EQ(way.cost, times * plain.cost);
+      EXPECT_EQ(way.leave, plain.leave);
+      EXPECT_EQ(way.enter, plain.enter);
+    }
+  }
+}
+
 TEST(CheapestCrossing, IsStraightWhereAllCostsTheSame) {
   std::mt19937_64 random(2);
   for (int i = 0; i < 500; ++i) {

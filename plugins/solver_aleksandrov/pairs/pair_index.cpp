@@ -168,6 +168,7 @@ void PairIndex::check(const SurfaceMesh& mesh) const {
   for (Index r = 0; r < regions_.size(); ++r) {
     const Columns& c = regions_[r];
     const bool top = c.parent == no_index;
+    if (!(c.detour >= 0 && std::isfinite(c.detour))) damaged();
     if (c.first > c.last || (!top && c.parent >= r) || (r == 0) != top) damaged();
     if (c.depth != (top ? 0 : regions_[c.parent].depth + 1) || c.first != (top ? 0 : regions_[c.parent].last))
       damaged();
