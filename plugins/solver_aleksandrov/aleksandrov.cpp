@@ -23,7 +23,7 @@ class AleksandrovPrepared final : public PreparedSurface {
     return std::make_unique<SurfaceSearch<aleksandrov::Propagation>>(surface_, discretization_);
   }
   std::unique_ptr<PairOracle> pair_oracle(std::istream* saved, RunContext& context) const override {
-    return aleksandrov::make_pair_oracle(*surface_, delta_, saved, context);
+    return aleksandrov::make_pair_oracle(discretization_, delta_, saved, context);
   }
   std::size_t bytes() const override { return surface_->bytes() + discretization_->bytes(); }
 

@@ -162,15 +162,50 @@ TEST_F(PairBounds, AreRefusedWithADetourThatIsNoLength) {
   }
 }
 
+/// An oracle and the surface it answers for.
+struct Oracle {
+  Oracle(const MeshPtr& mesh, double delta)
+      : surface(mesh),
+        pairs(make_pair_oracle(std::make_shared<const Discretization>(surface, Settings{.delta = delta}, context),
+                               delta, nullptr, context)) {}
+  double distance(const SurfacePoint& p, const SurfacePoint& q) const { return pairs->distance(p, q); }
+
+  QuietContext context;
+  const FlatSurface surface;
+  const std::unique_ptr<PairOracle> pairs;
+};
+
+/// Far nearer to the tip of a cone than its faces are wide.
+TEST(PairOracle, KeepsTheFactorNextToAVertex) {
+  constexpr double wide = 1, delta = 0.1, rounding_of_places = 1e-14;
+  const Oracle oracle(test::fan(5, wide), delta);
+  std::mt19937_64 random(11);
+  for (int n = 0; n < 300; ++n) {
+    const double r = std::pow(10, -9 * test::uniform(random)) / 2, s = r * (0.5 + test::uniform(random) / 2);
+    const double edge = std::pow(10, -8 * test::uniform(random));
+    const double a = wide * (1 - edge), b = wide * edge * test::uniform(random);
+    const auto at = [&](Index face, double away, double angle) {
+      const double b1 = away * std::sin(wide - angle) / std::sin(wide), b2 = away * std::sin(angle) / std::sin(wide);
+      return SurfacePoint{face, {1 - b1 - b2, b1, b2}};
+    };
+    const Index face = static_cast<Index>(random() % 5), apart = 1 + static_cast<Index>(random() % 2);
+    const double one_way = apart * wide + b - a, turn = std::min(one_way, 5 * wide - one_way);
+    const double truth = std::hypot(r - s, 2 * std::sqrt(r * s) * std::sin(turn / 2));
+    const double found = oracle.distance(at(face, r, a), at((face + apart) % 5, s, b));
+    EXPECT_LE(found, (1 + delta) * truth + rounding_of_places)
+        << r << " " << s << " " << a << " " << b << ", apart " << apart;
+    EXPECT_GE(found, truth - rounding_of_places);
+  }
+}
+
 /// Coordinates whose squares are no numbers any more, and such as floats cannot hold.
 TEST(PairOracle, AnswersAlikeInAnyUnit) {
-  QuietContext context;
   const MeshPtr mesh = test::bumpy_torus(30, 16, 0.1, 7);
   const auto oracle_at = [&](int exponent) {
     const MeshPtr other = test::mapped(mesh, [&](const Vec3& p) {
       return Vec3{std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)};
     });
-    return make_pair_oracle(FlatSurface(other), 0.1, nullptr, context);
+    return std::make_unique<Oracle>(other, 0.1);
   };
   const auto plain = oracle_at(0);
   for (const int exponent : {-530, -330, -146, -130, 120, 140, 330, 530}) {

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "common/solvers/query_points.hpp"
+#include "solver_aleksandrov/direct_way.hpp"
 #include "solver_aleksandrov/pairs/pair_index.hpp"
 #include "solver_chen_han/chen_han.hpp"
 
@@ -44,9 +46,10 @@ ChenHanSolver exact_solver() { return ChenHanSolver(OptionValues(ChenHanSolver::
 /// On a mesh whose mean edge is about 1.
 class IndexedPairs final : public PairOracle {
  public:
-  IndexedPairs(MeshPtr mesh, int exponent, double delta, PairIndex index, RunContext& context)
+  IndexedPairs(MeshPtr mesh, std::shared_ptr<const Discretization> discretization, double delta, PairIndex index,
+               RunContext& context)
       : mesh_(std::move(mesh)),
-        exponent_(exponent),
+        discretization_(std::move(discretization)),
         delta_(delta),
         index_(std::move(index)),
         prepared_(exact_solver().prepare(mesh_, context)) {}
@@ -56,8 +59,10 @@ class IndexedPairs final : public PairOracle {
     require_on_surface(*mesh_, to, "a point");
     if (mesh_->vertex_at(from) != no_index && mesh_->vertex_at(from) == mesh_->vertex_at(to)) return 0;
     const Bounds bounds = by_corners(corners(from), corners(to));
-    const bool near_enough = bounds.most <= (1 + delta_) * bounds.least;
-    return std::ldexp(near_enough ? bounds.most : std::min(bounds.most, searched(from, to, bounds.most)), -exponent_);
+    double inner = bounds.most;
+    if (!(bounds.most <= (1 + delta_) * bounds.least))
+      inner = std::min({bounds.most, direct(from, to), searched(from, to, bounds.most)});
+    return std::ldexp(inner, -discretization_->surface().exponent());
   }
 
   void save(std::ostream& out) const override { index_.save(out); }
@@ -93,6 +98,23 @@ class IndexedPairs final : public PairOracle {
     return bounds;
   }
 
+  /// Straight around a corner: an exact search loses precision between places far nearer to a vertex than their faces
+  /// are wide.
+  double direct(const SurfacePoint& from, const SurfacePoint& to) const {
+    double least = std::numeric_limits<double>::infinity();
+    if (mesh_->vertex_at(from) != no_index || mesh_->vertex_at(to) != no_index) return least;
+    const SteinerGraph& graph = discretization_->graph();
+    const auto located = [&](const SurfacePoint& p) {
+      return discretization_->located(discretization_->surface().inner(p));
+    };
+    const SurfacePoint start = located(from), end = located(to);
+    graph.for_each_name(start, [&](const SurfacePoint& p) {
+      graph.for_each_name(end,
+                          [&](const SurfacePoint& q) { least = std::min(least, direct_way(graph, p, q).distance); });
+    });
+    return least;
+  }
+
   /// The exact distance, by a search that goes no farther than `most`.
   double searched(const SurfacePoint& from, const SurfacePoint& to, double most) const {
     const Source source{from};
@@ -120,7 +142,7 @@ class IndexedPairs final : public PairOracle {
   }
 
   MeshPtr mesh_;
-  int exponent_;  ///< lengths here are those of the mesh that is asked about times 2^exponent
+  std::shared_ptr<const Discretization> discretization_;  ///< of the mesh that is asked about, in the same units
   double delta_;
   PairIndex index_;
   std::unique_ptr<PreparedSurface> prepared_;
@@ -130,15 +152,16 @@ class IndexedPairs final : public PairOracle {
 
 }  // namespace
 
-std::unique_ptr<PairOracle> make_pair_oracle(const FlatSurface& surface, double delta, std::istream* saved,
-                                             RunContext& context) {
+std::unique_ptr<PairOracle> make_pair_oracle(std::shared_ptr<const Discretization> discretization, double delta,
+                                             std::istream* saved, RunContext& context) {
+  const FlatSurface& surface = discretization->surface();
   if (!surface.mesh().face_weights().empty())
     throw CapabilityError("pair queries on weighted surfaces are not supported",
                           "leave the weights out, or ask for distances from sources");
   MeshPtr mesh = scaled(surface.mesh(), surface.exponent());
   PairIndex index =
       saved ? PairIndex(*mesh, *saved) : PairIndex(mesh, spacing_for(*mesh, delta), exact_solver(), context);
-  return std::make_unique<IndexedPairs>(std::move(mesh), surface.exponent(), delta, std::move(index), context);
+  return std::make_unique<IndexedPairs>(std::move(mesh), std::move(discretization), delta, std::move(index), context);
 }
 
 }  // namespace geodrome::aleksandrov
