@@ -60,9 +60,8 @@ GuaranteeFigures judge_guarantee(const DistanceRows& distances, const DistanceRo
   for (std::size_t i = 0; i < distances.size(); ++i)
     for (std::size_t j = 0; terms.of_source[i] && j < distances[i].size(); ++j) {
       const double d = distances[i][j], t = truth[i][j];
-      if (!terms.of_target[j] || !std::isfinite(d) || !std::isfinite(t) || t == 0) continue;
-      ++pairs;
-      figures.worst = std::max(figures.worst.value_or(0), d / t);
+      if (!terms.of_target[j] || !std::isfinite(d) || !std::isfinite(t)) continue;
+      if (t > 0) ++pairs, figures.worst = std::max(figures.worst.value_or(0), d / t);
       if (has_factor) longer.add(d - terms.factor * t, allowed, i, j);
       if (terms.never_shorter) shorter.add(t - d, allowed, i, j);
     }

@@ -32,7 +32,8 @@ struct GuaranteeFigures {
 /// known better than these are rounded.
 double scale_of(const DistanceRows& distances, std::span<const Vec3> positions, double smallest_weight);
 
-/// Weighs the pairs for which the guarantee is stated, as `compare_distances` picks them.
+/// Weighs the pairs for which the guarantee is stated and that both reach; those of no true distance too, but for
+/// `worst`. Precondition: rows of the same shape, as long as `terms` says.
 GuaranteeFigures judge_guarantee(const DistanceRows& distances, const DistanceRows& truth, const GuaranteeTerms& terms);
 
 }  // namespace geodrome

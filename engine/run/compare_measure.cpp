@@ -32,6 +32,23 @@ class MemoryRise {
   std::size_t before_ = 0;
 };
 
+/// Progress within the searches as progress of all.
+class ProgressOfAll final : public Observer {
+ public:
+  ProgressOfAll(Observer& observer, std::size_t searches) : observer_(observer), searches_(searches) {}
+
+  void next() { ++done_; }
+  void progress(std::string_view stage, double fraction) override {
+    observer_.progress(stage, (static_cast<double>(done_) + fraction) / static_cast<double>(searches_));
+  }
+  void log(LogLevel level, std::string_view message) override { observer_.log(level, message); }
+  bool cancelled() const noexcept override { return observer_.cancelled(); }
+
+ private:
+  Observer& observer_;
+  std::size_t searches_, done_ = 0;
+};
+
 std::map<std::string, double> means(const std::map<std::string, std::uint64_t>& sums, std::size_t searches) {
   std::map<std::string, double> result;
   for (const auto& [name, sum] : sums)
@@ -57,7 +74,8 @@ Measurement measure(const ComparedSurface& on, const std::string& solver, const 
   SearchCost& cost = measured.cost;
   cost.prepare_seconds = preparing.seconds();
 
-  StageContext context(name, observer, 1, settings.seed);
+  ProgressOfAll all(observer, on.sources.size());
+  StageContext context(name, all, 1, settings.seed);
   CounterSum counters;
   std::size_t searches = 0;
   for (std::size_t i = 0; i < on.sources.size(); ++i) {
@@ -68,7 +86,7 @@ Measurement measure(const ComparedSurface& on, const std::string& solver, const 
     if (on.sources[i].place.state == Place::State::on_surface) ++searches;
     if (!counted.empty()) counters.add(measured.solver, counted);
     context.throw_if_cancelled();
-    observer.progress(name, (i + 1.0) / static_cast<double>(on.sources.size()));
+    all.next();
   }
   cost.peak_bytes = rise.bytes();
   cost.vertices = on.surface->mesh->vertex_count(), cost.faces = on.surface->mesh->face_count();

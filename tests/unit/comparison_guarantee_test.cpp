@@ -43,6 +43,12 @@ TEST(JudgeGuarantee, IsBrokenBelowTheTruthUnlessTheSolverSaysSo) {
   EXPECT_EQ(g.why, "the solver states nothing");
 }
 
+TEST(JudgeGuarantee, NoFactorAllowsADistanceBetweenPointsAtOnePlace) {
+  const GuaranteeFigures g = judge_guarantee({{0, 0.1, 1}}, {{0, 0, 1}}, terms(1.125, 3));
+  EXPECT_EQ(g.held, false);
+  EXPECT_EQ(g.worst, 1);
+}
+
 TEST(JudgeGuarantee, TakesRoundingForNoError) {
   EXPECT_EQ(judge_guarantee({{1 + 1e-13}}, {{1}}, terms(1, 1)).held, true);
   EXPECT_EQ(judge_guarantee({{1 - 1e-13}}, {{1}}, terms(1, 1)).held, true);

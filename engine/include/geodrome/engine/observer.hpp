@@ -12,8 +12,8 @@ class Observer {
  public:
   virtual ~Observer() = default;
 
-  /// `stage` is one of the five stages, or "input", "distances", "invariants", "audit", "oracle", "queries"; `fraction`
-  /// in [0, 1].
+  /// `stage` is one of the five stages, or "input", "distances", "invariants", "audit", "oracle", "queries", "truth",
+  /// "view", or a combination that is compared; `fraction` in [0, 1].
   virtual void progress(std::string_view /*stage*/, double /*fraction*/) {}
   virtual void log(LogLevel, std::string_view /*message*/) {}
   /// Asked often; true ends the job with Cancelled.
