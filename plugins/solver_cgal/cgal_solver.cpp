@@ -134,9 +134,25 @@ class CgalSearch final : public Search, private ShortestPathMap {
     });
     out.front() = point;
     out.back() = sources_[distance.source].at;
+    require_length(out, distance.value);
   }
 
  private:
+  /// CGAL traces wrong ways through faces without area that lie in a row.
+  void require_length(const std::vector<SurfacePoint>& path, double distance) const {
+    constexpr double rounding = 1e-9;  // of coordinates, too
+    double length = 0, size = distance;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const Vec3 p = mesh().position(path[i]);
+      size = std::max({size, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      if (i > 0) length += geodrome::distance(p, mesh().position(path[i - 1]));
+    }
+    if (std::abs(length - distance) > rounding * size)
+      throw NumericalError(
+          "CGAL's path has length " + std::to_string(length) + ", its distance is " + std::to_string(distance),
+          "choose another exact solver, or remove faces without area");
+  }
+
   using Found = ShortestPaths::Shortest_path_result;
   using Vertex = Mesh::Vertex_index;
   struct Best {

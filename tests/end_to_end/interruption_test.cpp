@@ -33,6 +33,15 @@ class Interruption : public ::testing::Test {
     program.send(signal);
     return program.wait();
   }
+  /// The same for a new job, again if it was done before the signal came, as may be on a busy machine.
+  Outcome interrupt_in_time(const std::vector<std::string>& arguments, int signal) {
+    Outcome outcome = interrupt(arguments, signal, 10ms);
+    for (int tries = 1; outcome.status == 0 && tries < 20; ++tries) {
+      for (const char* name : {"d.npy", "r.json", "s.ply"}) std::filesystem::remove(folder_ / name);
+      outcome = interrupt(arguments, signal, 0ms);
+    }
+    return outcome;
+  }
   std::vector<std::string> files() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
@@ -58,13 +67,13 @@ TEST_F(Interruption, CtrlCEndsWith130AndLeavesThePartialAndNothingElse) {
   std::vector<std::string> arguments = job("d.npy");
   arguments.insert(arguments.end(),
                    {"--report", (folder_ / "r.json").string(), "--surface", (folder_ / "s.ply").string()});
-  const Outcome outcome = interrupt(arguments, SIGINT, 10ms);
+  const Outcome outcome = interrupt_in_time(arguments, SIGINT);
   EXPECT_EQ(outcome.status, 130) << outcome.err;
   EXPECT_EQ(files(), (std::vector<std::string>{"d.npy.partial", "stderr", "stdout", "t.ply", "whole.npy"}));
 }
 
 TEST_F(Interruption, ResumingWithOtherOptionsIsRefusedNamingThem) {
-  interrupt(job("d.npy"), SIGKILL, 10ms);
+  interrupt_in_time(job("d.npy"), SIGKILL);
   std::vector<std::string> other = job("d.npy");
   other.insert(other.end(), {"--resume", "--seed", "7"});
   const Outcome outcome = run_geodrome(folder_, other);
