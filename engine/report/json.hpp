@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/report/capability_words.hpp"
 #include "geodrome/engine/input.hpp"
 #include "geodrome/engine/pipeline.hpp"
 #include "geodrome/engine/plugin_host.hpp"
@@ -23,9 +24,5 @@ Json to_json(const StageRecord& record);
 
 /// A report as text. Names of files may hold any bytes, JSON only UTF-8: what is none becomes U+FFFD.
 inline std::string text_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
-
-/// The words for the bits of `needs` and of a solver's `provides`, in the order of the bits.
-std::vector<std::string> needs_words(std::uint64_t needs);
-std::vector<std::string> provides_words(std::uint64_t provides);
 
 }  // namespace geodrome

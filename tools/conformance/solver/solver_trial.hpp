@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/report/json.hpp"
+#include "engine/report/capability_words.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "tools/conformance/demand_table.hpp"
 #include "tools/shapes/small_meshes.hpp"
