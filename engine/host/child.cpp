@@ -145,4 +145,17 @@ ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::
   return end;
 }
 
+std::string last_words(const ChildEnd& end) {
+  constexpr std::size_t longest = 300;
+  const std::size_t last = end.err.find_last_not_of(" \t\r\n");
+  if (last == std::string::npos) return {};
+  const std::size_t first = end.err.find_last_of('\n', last) + 1;
+  return " (it said: " + end.err.substr(first, std::min(longest, last + 1 - first)) + ")";
+}
+
+std::string signal_name(const ChildEnd& end) {
+  const char* name = sigabbrev_np(end.signal);
+  return name ? "SIG" + std::string(name) : "signal " + std::to_string(end.signal);
+}
+
 }  // namespace geodrome

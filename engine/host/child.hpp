@@ -21,4 +21,11 @@ struct ChildEnd {
 ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                    std::chrono::milliseconds limit);
 
+/// What a process that died had to say: the last line of its words that is not blank, in brackets; empty if there is
+/// none.
+std::string last_words(const ChildEnd& end);
+
+/// "SIGSEGV" for a child that a signal ended.
+std::string signal_name(const ChildEnd& end);
+
 }  // namespace geodrome

@@ -155,6 +155,18 @@ PluginInfo PluginHost::inspect(const fs::path& file) const {
                     "rebuild or remove it, or choose another plugin");
 }
 
+std::vector<PluginInfo> PluginHost::named(const std::string& name) const {
+  if (name.find('/') != std::string::npos) return {inspect(name)};
+  std::vector<PluginInfo> found;
+  std::string names;
+  for (PluginInfo& plugin : list().usable) {
+    names += (names.empty() ? "" : ", ") + plugin.full_name();
+    if (plugin.name == name || plugin.full_name() == name) found.push_back(std::move(plugin));
+  }
+  if (!found.empty()) return found;
+  throw OptionError("no plugin '" + name + "'", "there are: " + (names.empty() ? "nothing" : names));
+}
+
 PluginInfo PluginHost::find(std::string_view stage, const std::string& name) const {
   const std::string file_name = std::string(stage) + "_" + name + ".so";
   for (const fs::path& folder : folders_) {

@@ -29,15 +29,6 @@ double limit_in_seconds() {
   return seconds;
 }
 
-/// The last line that is not blank: what a process that died had to say.
-std::string last_words(const std::string& text) {
-  constexpr std::size_t longest = 300;
-  const std::size_t end = text.find_last_not_of(" \t\r\n");
-  if (end == std::string::npos) return {};
-  const std::size_t begin = text.find_last_of('\n', end) + 1;
-  return " (it said: " + text.substr(begin, std::min(longest, end + 1 - begin)) + ")";
-}
-
 std::string shown(double seconds) {
   std::string text = std::to_string(seconds);
   text.erase(text.find_last_not_of('0') + 1);
@@ -65,18 +56,15 @@ std::variant<PluginInfo, PluginRefusal> vet(const fs::path& file) {
   const double seconds = limit_in_seconds();
   const std::chrono::milliseconds limit(static_cast<std::int64_t>(1000 * seconds) + 1);
   const ChildEnd end = run_child(installed_program("geodrome-vet"), {file.string()}, limit);
-  if (end.timed_out)
-    return PluginRefusal{file, "did not finish loading within " + shown(seconds) + last_words(end.err)};
+  if (end.timed_out) return PluginRefusal{file, "did not finish loading within " + shown(seconds) + last_words(end)};
   if (!end.exited) {
-    const char* signal = sigabbrev_np(end.signal);
-    const std::string name = signal ? "SIG" + std::string(signal) : "signal " + std::to_string(end.signal);
-    return PluginRefusal{file, "crashed with " + name + " while being loaded" + last_words(end.err)};
+    return PluginRefusal{file, "crashed with " + signal_name(end) + " while being loaded" + last_words(end)};
   }
   try {
     return read_answer(file, end);
   } catch (const nlohmann::json::exception&) {
-    return PluginRefusal{file, "ended the process with status " + std::to_string(end.status) + " while being loaded" +
-                                   last_words(end.err)};
+    return PluginRefusal{
+        file, "ended the process with status " + std::to_string(end.status) + " while being loaded" + last_words(end)};
   }
 }
 

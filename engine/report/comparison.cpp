@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/report/comparison.hpp"
 
-#include <algorithm>
+#include "engine/report/median.hpp"
 
 namespace geodrome {
 
-double SearchCost::median_seconds() const {
-  if (source_seconds.empty()) return 0;
-  std::vector<double> sorted = source_seconds;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
-}
+double SearchCost::median_seconds() const { return source_seconds.empty() ? 0 : median(source_seconds); }
 
 std::vector<std::string> broken_promises(const ComparisonFigures& figures) {
   std::vector<std::string> broken;

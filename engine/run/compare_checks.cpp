@@ -3,25 +3,20 @@
 
 #include "engine/report/face_weight.hpp"
 #include "engine/run/components.hpp"
-#include "engine/run/query_identity.hpp"
+#include "engine/run/query_invariants.hpp"
 
 namespace geodrome {
 
 namespace {
 
 Invariants invariants_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
-  const std::uint64_t rows_of_input = no_index;
-  const auto row_ids = identities(on.sources, rows_of_input),
-             column_ids = identities(on.targets.queries(), rows_of_input + on.sources.size());
-  const auto row_points = points_of(on.sources), column_points = points_of(on.targets.queries());
-  std::vector<double> starts;
-  for (const Query& source : on.sources) starts.push_back(source.start);
-  const MatrixView view{row_ids,       column_ids, row_points,
-                        column_points, starts,     [&](std::uint64_t row) { return measured.rows[row]; }};
-  return check_invariants(view, {.factor = measured.solver.plugin.factor,
-                                 .bounded = on.targets.bounded() || states_never_shorter(measured.solver),
-                                 .smallest_weight = smallest_weight(*on.surface->mesh),
-                                 .seed = seed});
+  const PreparedSolver& solver = measured.solver;
+  const auto read = [&](std::uint64_t row) { return measured.rows[row]; };
+  return check_invariants(on.sources, on.targets.queries(), read,
+                          {.factor = solver.plugin.factor,
+                           .bounded = on.targets.bounded() || solver.provides(never_shorter),
+                           .smallest_weight = smallest_weight(*on.surface->mesh),
+                           .seed = seed});
 }
 
 InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) {
@@ -47,8 +42,6 @@ std::vector<bool> stated_for(std::span<const Query> queries, const PreparedSolve
 
 }  // namespace
 
-bool states_never_shorter(const PreparedSolver& solver) { return solver.provides(never_shorter); }
-
 std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
   const Invariants invariants = invariants_of(on, measured, seed);
   const bool weighted = !on.surface->mesh->face_weights().empty();
@@ -63,7 +56,7 @@ std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& 
 GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& true_rows,
                               const ComparisonTruth& truth) {
   GuaranteeTerms terms{.factor = measured.solver.plugin.factor,
-                       .never_shorter = states_never_shorter(measured.solver),
+                       .never_shorter = measured.solver.provides(never_shorter),
                        .exact_truth = truth.is_exact(),
                        .of_source = stated_for(on.sources, measured.solver),
                        .of_target = stated_for(on.targets.queries(), measured.solver),

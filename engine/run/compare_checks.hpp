@@ -12,7 +12,4 @@ std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& 
 GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& true_rows,
                               const ComparisonTruth& truth);
 
-/// Whether the solver states that no distance is below the true one.
-bool states_never_shorter(const PreparedSolver& solver);
-
 }  // namespace geodrome

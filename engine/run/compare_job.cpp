@@ -104,7 +104,7 @@ class Comparison {
       figures.stage_seconds.emplace_back(stage.plugin.stage, stage.seconds);
     figures.cost = measured.cost;
     figures.factor = measured.solver.plugin.factor;
-    figures.never_shorter = states_never_shorter(measured.solver);
+    figures.never_shorter = measured.solver.provides(never_shorter);
     figures.errors = compare_distances(measured.rows, true_rows);
     figures.invariants = checks_of(on, measured, settings_.seed);
     figures.guarantee = guarantee_of(on, measured, true_rows, truth_);

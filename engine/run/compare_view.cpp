@@ -45,6 +45,14 @@ float error_of(double distance, double truth) {
   return static_cast<float>(distance / truth - 1);
 }
 
+/// At the vertices of a surface, whose rows of the input are `rows`.
+std::string errors_text(const std::vector<Index>& rows, const std::vector<double>& distances,
+                        const std::vector<double>& truth) {
+  std::vector<float> errors;
+  for (const Index row : rows) errors.push_back(row == no_index ? not_computed : error_of(distances[row], truth[row]));
+  return base64_of(std::span<const float>(errors));
+}
+
 /// The distances at the vertices from a source that no search starts from.
 std::vector<float> without_search(const Query& source, std::size_t vertices) {
   const bool isolated = source.place.state == Place::State::isolated;
@@ -92,12 +100,11 @@ Json ComparisonView::paths_json(const ComparedSurface& on, const Measurement& me
   return json;
 }
 
-Json ComparisonView::source_json(const ComparedSurface& on, const Measurement& measured,
-                                 const std::vector<double>& truth, std::size_t source, Search& search,
-                                 RunContext& context) const {
+Json ComparisonView::source_json(const ComparedSurface& on, const Measurement& measured, std::size_t source,
+                                 Search& search, RunContext& context) const {
   const std::size_t vertices = on.surface->mesh->vertex_count();
   const Query& query = on.sources[source];
-  std::vector<float> distances = without_search(query, vertices), errors(vertices, not_computed);
+  std::vector<float> distances = without_search(query, vertices);
   Json traced = Json::array();
   if (query.place.state == Place::State::on_surface) {
     const bool has_paths = paths_ > 0 && measured.solver.provides(paths);
@@ -109,21 +116,18 @@ Json ComparisonView::source_json(const ComparedSurface& on, const Measurement& m
     for (std::size_t v = 0; v < vertices; ++v) distances[v] = static_cast<float>(values[v] + query.start);
     if (has_paths) traced = paths_json(on, measured, source, map);
   }
-  const std::vector<Index> rows = rows_of_vertices(input_, *on.surface);
-  for (std::size_t v = 0; v < vertices; ++v)
-    if (rows[v] != no_index) errors[v] = error_of(measured.rows[source][rows[v]], truth[rows[v]]);
-  return {{"distances", base64_of(std::span<const float>(distances))},
-          {"errors", base64_of(std::span<const float>(errors))},
-          {"paths", std::move(traced)}};
+  return {{"distances", base64_of(std::span<const float>(distances))}, {"paths", std::move(traced)}};
 }
 
 void ComparisonView::add(const ComparedSurface& on, const Measurement& measured, const DistanceRows& truth,
                          Observer& observer) {
   StageContext context("view", observer, 1, seed_);
   const auto search = make_search(measured.solver);
+  const std::vector<Index> rows = rows_of_vertices(input_, *on.surface);
   Json sources = Json::array();
   for (std::size_t i = 0; i < on.sources.size(); ++i) {
-    sources.push_back(source_json(on, measured, truth[i], i, *search, context));
+    sources.push_back(source_json(on, measured, i, *search, context));
+    sources.back()["errors"] = errors_text(rows, measured.rows[i], truth[i]);
     context.throw_if_cancelled();
   }
   combinations_.push_back({{"surface", surface_number(on.surface)}, {"sources", std::move(sources)}});

@@ -23,8 +23,8 @@ class ComparisonView {
 
  private:
   std::size_t surface_number(const std::shared_ptr<const Surface>& surface);
-  Json source_json(const ComparedSurface& on, const Measurement& measured, const std::vector<double>& truth,
-                   std::size_t source, Search& search, RunContext& context) const;
+  Json source_json(const ComparedSurface& on, const Measurement& measured, std::size_t source, Search& search,
+                   RunContext& context) const;
   Json paths_json(const ComparedSurface& on, const Measurement& measured, std::size_t source,
                   const ShortestPathMap& map) const;
 

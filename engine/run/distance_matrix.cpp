@@ -9,7 +9,7 @@
 #include "engine/report/face_weight.hpp"
 #include "engine/run/counter_sum.hpp"
 #include "engine/run/parallel_rows.hpp"
-#include "engine/run/query_identity.hpp"
+#include "engine/run/query_invariants.hpp"
 #include "engine/run/stage_context.hpp"
 
 namespace geodrome {
@@ -130,24 +130,17 @@ std::vector<std::uint64_t> missing_rows(const MatrixFile& file, std::uint64_t ro
 }
 
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
-                            const MatrixFile& file, std::span<const Query> sources, const TargetList& target_list) {
-  const std::span<const Query> targets = target_list.queries();
-  const std::uint64_t rows_of_input = no_index;
-  const auto row_ids = identities(sources, rows_of_input),
-             column_ids = identities(targets, rows_of_input + sources.size());
-  const auto row_points = points_of(sources), column_points = points_of(targets);
-  std::vector<double> starts;
-  for (const Query& source : sources) starts.push_back(source.start);
-  const MatrixView view{row_ids,       column_ids, row_points,
-                        column_points, starts,     [&](std::uint64_t row) { return file.read(row); }};
+                            const MatrixFile& file, std::span<const Query> sources, const TargetList& targets) {
+  const auto read = [&](std::uint64_t row) { return file.read(row); };
   return check_invariants(
-      view, {.factor = solver.plugin.factor,
-             .one_surface = job.query == QueryRule::project,
-             .bounded = job.query != QueryRule::printed && (target_list.bounded() || solver.provides(never_shorter)),
-             .smallest_weight = smallest_weight(mesh),
-             .float32 = job.scalar == ScalarType::float32,
-             .radius = job.max_distance,
-             .seed = job.settings.seed});
+      sources, targets.queries(), read,
+      {.factor = solver.plugin.factor,
+       .one_surface = job.query == QueryRule::project,
+       .bounded = job.query != QueryRule::printed && (targets.bounded() || solver.provides(never_shorter)),
+       .smallest_weight = smallest_weight(mesh),
+       .float32 = job.scalar == ScalarType::float32,
+       .radius = job.max_distance,
+       .seed = job.settings.seed});
 }
 
 /// Reads the whole matrix once more, as it stands on disk, resumed rows included.

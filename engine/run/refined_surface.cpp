@@ -1,29 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/run/refined_surface.hpp"
 
-#include <algorithm>
-#include <map>
+#include "engine/run/quarter.hpp"
 
 namespace geodrome {
 
 namespace {
-
-/// The vertices in the middles of edges, made where they are first needed.
-class Middles {
- public:
-  explicit Middles(std::vector<Vec3>& positions) : positions_(positions) {}
-
-  Index of(Index a, Index b) {
-    const auto [entry, is_new] = known_.emplace(std::minmax(a, b), static_cast<Index>(positions_.size()));
-    // Halves first, or the sum of two huge coordinates overflows.
-    if (is_new) positions_.push_back(0.5 * positions_[a] + 0.5 * positions_[b]);
-    return entry->second;
-  }
-
- private:
-  std::vector<Vec3>& positions_;
-  std::map<std::pair<Index, Index>, Index> known_;
-};
 
 Place on_refined(const Place& place, const SurfaceMesh& mesh) {
   Place result = place;
@@ -43,14 +25,10 @@ std::vector<Query> on_refined(std::span<const Query> queries, const SurfaceMesh&
 
 SurfaceMesh cut_in_four(const SurfaceMesh& mesh) {
   std::vector<Vec3> positions(mesh.positions().begin(), mesh.positions().end());
-  std::vector<Triangle> triangles;
+  std::vector<Triangle> triangles(mesh.triangles().begin(), mesh.triangles().end());
   std::vector<double> weights;
-  triangles.reserve(4 * mesh.face_count());
-  Middles middle(positions);
-  for (const auto& [a, b, c] : mesh.triangles()) {
-    const Index ab = middle.of(a, b), bc = middle.of(b, c), ca = middle.of(c, a);
-    triangles.insert(triangles.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-  }
+  // Halves first, or the sum of two huge coordinates overflows.
+  quarter(positions, triangles, [](const Vec3& p, const Vec3& q) { return 0.5 * p + 0.5 * q; });
   for (const double weight : mesh.face_weights()) weights.insert(weights.end(), 4, weight);
   return SurfaceMesh(std::move(positions), std::move(triangles), std::move(weights));
 }

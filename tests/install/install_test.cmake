@@ -1,7 +1,8 @@
 # cmake -D STEP=... -D BUILD=... -D SOURCE=... -D WORK=... -D LIBDIR=... -P install_test.cmake
 #
-# One step of the test of the installed package. The steps share WORK: prefix/ (the install), third_party/ (a project
-# built against it), solver_my_own/ (a project from the template) and my_own/ (its build). What comes out wrong ends in a FATAL_ERROR.
+# One step of the test of the installed package. The steps share WORK: prefix/ (the install), third_party/ (a program
+# and the template's plugin, built against it), solver_my_own/ (a whole project from the template) and my_own/ (its
+# build). What comes out wrong ends in a FATAL_ERROR.
 set(prefix ${WORK}/prefix)
 set(third_party ${WORK}/third_party)
 
@@ -74,7 +75,8 @@ elseif(STEP STREQUAL "package")
     expect_equal("${file}" "${leaks}" "")
   endforeach()
 elseif(STEP STREQUAL "build")
-  run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/third_party -B ${third_party} -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
+  run(ignored ${prefix}/bin/geodrome plugins new third_party --stage solver -o ${WORK}/solver_third_party)
+  run(ignored ${CMAKE_COMMAND} -D PLUGIN_SOURCE=${WORK}/solver_third_party/third_party.cpp -S ${SOURCE}/third_party -B ${third_party} -G ${GENERATOR} -D CMAKE_BUILD_TYPE=Release
       -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
       -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
   run(ignored ${CMAKE_COMMAND} --build ${third_party})

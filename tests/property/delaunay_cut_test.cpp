@@ -4,44 +4,24 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <set>
 
+#include "support/meshes.hpp"
 #include "support/sample_stages.hpp"
 #include "support/samples.hpp"
+#include "support/threads_context.hpp"
 #include "support/topology.hpp"
-#include "support/volume.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome {
 namespace {
 
-class Threads : public QuietContext {
- public:
-  explicit Threads(unsigned count) : count_(count) {}
-  unsigned threads() const noexcept override { return count_; }
-
- private:
-  unsigned count_;
-};
-
 Reconstruction reconstruct(const test::Staged& s, const char* options = "", unsigned threads = 2) {
-  Threads context(threads);
+  test::ThreadsContext context(threads);
   return DelaunayCut(OptionValues(DelaunayCut::options, options))
       .reconstruct(s.sample, s.tangents, s.control, s.kept, context);
 }
 
-using test::Topology, test::topology;
-
-/// The faces as sets of sample points.
-std::set<std::set<Index>> faces_of(const Reconstruction& made, const std::vector<Index>& name = {}) {
-  std::set<std::set<Index>> faces;
-  for (const Triangle& t : made.mesh->triangles()) {
-    std::set<Index> face;
-    for (const Index v : t) face.insert(name.empty() ? made.sample_of_vertex[v] : name[made.sample_of_vertex[v]]);
-    faces.insert(face);
-  }
-  return faces;
-}
+using test::faces_of, test::Topology, test::topology;
 
 PointSample joined(PointSample a, const PointSample& b) {
   a.points.insert(a.points.end(), b.points.begin(), b.points.end());

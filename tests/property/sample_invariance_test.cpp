@@ -9,21 +9,13 @@
 #include "plugins/decimator_greedy/greedy_decimation.hpp"
 #include "plugins/tangent_pca/pca_tangents.hpp"
 #include "support/samples.hpp"
+#include "support/threads_context.hpp"
 
 namespace geodrome {
 namespace {
 
-class Context : public QuietContext {
- public:
-  explicit Context(unsigned threads) : threads_(threads) {}
-  unsigned threads() const noexcept override { return threads_; }
-
- private:
-  unsigned threads_;
-};
-
 Control control_of(const PointSample& sample, unsigned threads = 2) {
-  Context context(threads);
+  test::ThreadsContext context(threads);
   const Tangents tangents = PcaTangents(OptionValues(pca_options)).estimate(sample, context);
   return LipschitzControl(OptionValues(lipschitz_options)).evaluate(sample, tangents, context);
 }
@@ -82,7 +74,7 @@ TEST(SampleInvariance, TheNumberOfThreadsChangesNoBit) {
     const Control one = control_of(c.sample, 1), four = control_of(c.sample, 4);
     ASSERT_EQ(one.phi, four.phi) << c.name;
     ASSERT_EQ(one.psi, four.psi) << c.name;
-    Context one_thread(1), four_threads(4);
+    test::ThreadsContext one_thread(1), four_threads(4);
     ASSERT_EQ(GreedyDecimation().select(c.sample, one, one_thread),
               GreedyDecimation().select(c.sample, four, four_threads))
         << c.name;

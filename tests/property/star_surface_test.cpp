@@ -6,32 +6,23 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <string>
 
+#include "support/meshes.hpp"
 #include "support/sample_stages.hpp"
 #include "support/samples.hpp"
+#include "support/threads_context.hpp"
 #include "support/topology.hpp"
-#include "support/volume.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome {
 namespace {
 
 using shapes::Sampling;
-using test::Topology, test::topology;
-
-class Threads : public QuietContext {
- public:
-  explicit Threads(unsigned count) : count_(count) {}
-  unsigned threads() const noexcept override { return count_; }
-
- private:
-  unsigned count_;
-};
+using test::faces_of, test::Topology, test::topology;
 
 Reconstruction reconstruct(const test::Staged& s, const char* options = "", unsigned threads = 2) {
-  Threads context(threads);
+  test::ThreadsContext context(threads);
   return StarSurface(OptionValues(StarSurface::options, options))
       .reconstruct(s.sample, s.tangents, s.control, s.kept, context);
 }
@@ -54,16 +45,6 @@ const Finding* find(const SampleError& error, const std::string& code) {
 
 test::Staged staged(const char* shape, std::size_t points, Sampling sampling, std::uint64_t seed) {
   return test::staged(shapes::sample(shape, {.points = points, .sampling = sampling, .seed = seed}));
-}
-
-std::set<std::set<Index>> faces_of(const Reconstruction& made, const std::vector<Index>& name = {}) {
-  std::set<std::set<Index>> faces;
-  for (const Triangle& t : made.mesh->triangles()) {
-    std::set<Index> face;
-    for (const Index v : t) face.insert(name.empty() ? made.sample_of_vertex[v] : name[made.sample_of_vertex[v]]);
-    faces.insert(face);
-  }
-  return faces;
 }
 
 /// Where all points lie on a sphere, all edges of their Voronoi cells run through its centre, and any plane across a

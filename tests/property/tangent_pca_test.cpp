@@ -8,21 +8,13 @@
 #include <regex>
 
 #include "support/samples.hpp"
+#include "support/threads_context.hpp"
 
 namespace geodrome {
 namespace {
 
-class Context : public QuietContext {
- public:
-  explicit Context(unsigned threads = 2) : threads_(threads) {}
-  unsigned threads() const noexcept override { return threads_; }
-
- private:
-  unsigned threads_;
-};
-
 Tangents tangents_of(const PointSample& sample, const char* options = "") {
-  Context context;
+  test::ThreadsContext context(2);
   return PcaTangents(OptionValues(pca_options, options)).estimate(sample, context);
 }
 

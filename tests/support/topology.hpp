@@ -2,8 +2,10 @@
 #pragma once
 
 #include <ostream>
+#include <set>
+#include <vector>
 
-#include "geodrome/surface.hpp"
+#include "geodrome/surface_reconstructor.hpp"
 #include "geodrome/vertex_components.hpp"
 
 namespace geodrome::test {
@@ -18,6 +20,17 @@ struct Topology {
 inline std::ostream& operator<<(std::ostream& out, const Topology& t) {
   return out << "Euler number " << t.euler << ", " << t.boundary_edges << " boundary edges, " << t.components
              << " components";
+}
+
+/// The faces as sets of sample points, by other names of these if there are any.
+inline std::set<std::set<Index>> faces_of(const Reconstruction& made, const std::vector<Index>& name = {}) {
+  std::set<std::set<Index>> faces;
+  for (const Triangle& t : made.mesh->triangles()) {
+    std::set<Index> face;
+    for (const Index v : t) face.insert(name.empty() ? made.sample_of_vertex[v] : name[made.sample_of_vertex[v]]);
+    faces.insert(face);
+  }
+  return faces;
 }
 
 inline Topology topology(const SurfaceMesh& mesh) {

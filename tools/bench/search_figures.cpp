@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "tools/bench/median.hpp"
+#include "engine/report/median.hpp"
 
 namespace geodrome::bench {
 namespace {

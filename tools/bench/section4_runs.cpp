@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "tools/bench/median.hpp"
+#include "engine/report/median.hpp"
 #include "tools/bench/sample_case.hpp"
 #include "tools/bench/solver_runner.hpp"
 #include "tools/bench/witness.hpp"

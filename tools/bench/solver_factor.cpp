@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/report/median.hpp"
 #include "tools/bench/exactness.hpp"
 #include "tools/bench/fit.hpp"
-#include "tools/bench/median.hpp"
 #include "tools/bench/solver_runner.hpp"
 #include "tools/bench/surface_points.hpp"
 #include "tools/bench/witness.hpp"

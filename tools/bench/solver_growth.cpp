@@ -5,8 +5,8 @@
 #include <cstdio>
 #include <ostream>
 
+#include "engine/report/median.hpp"
 #include "tools/bench/fit.hpp"
-#include "tools/bench/median.hpp"
 #include "tools/bench/solver_runner.hpp"
 
 namespace geodrome::bench {

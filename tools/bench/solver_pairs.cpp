@@ -7,7 +7,7 @@
 #include <ostream>
 #include <streambuf>
 
-#include "tools/bench/median.hpp"
+#include "engine/report/median.hpp"
 #include "tools/bench/search_figures.hpp"
 #include "tools/bench/solver_runner.hpp"
 #include "tools/shapes/random.hpp"

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <ostream>
 
-#include "tools/bench/median.hpp"
+#include "engine/report/median.hpp"
 #include "tools/bench/solver_runner.hpp"
 
 namespace geodrome::bench {

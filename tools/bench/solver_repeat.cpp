@@ -8,7 +8,7 @@
 #include <ostream>
 #include <thread>
 
-#include "tools/bench/median.hpp"
+#include "engine/report/median.hpp"
 #include "tools/bench/solver_runner.hpp"
 
 namespace geodrome::bench {

@@ -5,7 +5,7 @@
 
 #include "engine/host/child.hpp"
 #include "engine/host/installed.hpp"
-#include "tools/conformance/record.hpp"
+#include "tools/conformance/demand_table.hpp"
 #include "tools/conformance/verdict_json.hpp"
 
 namespace geodrome::conformance {
@@ -20,37 +20,18 @@ std::vector<std::string> arguments(const Subject& subject, const std::string& de
   return words;
 }
 
-/// The last words of a process that died, for people.
-std::string last_line(const std::string& words) {
-  constexpr std::size_t longest = 300;
-  const std::size_t end = words.find_last_not_of(" \t\r\n");
-  if (end == std::string::npos) return {};
-  const std::size_t begin = words.find_last_of('\n', end) + 1;
-  return text("; it said: ", words.substr(begin, std::min(longest, end + 1 - begin)));
-}
-
-std::string name_of_signal(int signal) {
-  const char* name = sigabbrev_np(signal);
-  return name ? std::string("SIG") + name : text("signal ", signal);
-}
-
 /// What is told of a process that gave no verdict.
 std::string bad_end(const ChildEnd& end, const Limits& limits) {
   if (end.timed_out) return text("still running after ", limits.seconds, " s");
-  if (!end.exited) return "crashed with " + name_of_signal(end.signal) + last_line(end.err);
-  return text("ended the process with status ", end.status) + last_line(end.err);
-}
-
-Demand find_demand(const Subject& subject, const std::string& name) {
-  for (Demand& demand : demands(subject.plugin.stage))
-    if (demand.name == name) return std::move(demand);
-  throw OptionError("there is no demand '" + name + "' on a " + subject.plugin.stage + " plugin");
+  if (!end.exited) return "crashed with " + signal_name(end) + last_words(end);
+  return text("ended the process with status ", end.status) + last_words(end);
 }
 
 }  // namespace
 
 Verdict judge_in_child(const Subject& subject, const std::string& name, const Limits& limits) {
-  Verdict verdict{find_demand(subject, name)};
+  const JudgedDemand demand = find_demand(subject.plugin.stage, name);
+  Verdict verdict{{demand.name, demand.sentence}};
   const auto start = std::chrono::steady_clock::now();
   const std::chrono::milliseconds limit(static_cast<std::int64_t>(1000 * limits.seconds) + 1);
   const ChildEnd end = run_child(installed_program("geodrome-judge"), arguments(subject, name, limits), limit);

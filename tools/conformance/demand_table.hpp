@@ -18,6 +18,9 @@ struct JudgedDemand {
 };
 using DemandTable = std::vector<JudgedDemand>;
 
+/// Throws OptionError if the stage has no such demand.
+JudgedDemand find_demand(const std::string& stage, const std::string& name);
+
 /// The plugin under judgement, loaded, and the record: what a demand on `Stage` works with.
 template <class Stage>
 struct StageTrial : Record {

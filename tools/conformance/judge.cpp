@@ -66,15 +66,18 @@ std::vector<Demand> demands(const std::string& stage) {
   return all;
 }
 
+JudgedDemand find_demand(const std::string& stage, const std::string& name) {
+  for (const JudgedDemand& demand : table_of(stage))
+    if (name == demand.name) return demand;
+  throw OptionError("there is no demand '" + name + "' on a " + stage + " plugin");
+}
+
 Verdict judge(const Subject& subject, const std::string& name) {
-  for (const JudgedDemand& demand : table_of(subject.plugin.stage)) {
-    if (name != demand.name) continue;
-    const auto start = std::chrono::steady_clock::now();
-    Verdict verdict = run(demand, subject);
-    verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return verdict;
-  }
-  throw OptionError("there is no demand '" + name + "' on a " + subject.plugin.stage + " plugin");
+  const JudgedDemand demand = find_demand(subject.plugin.stage, name);
+  const auto start = std::chrono::steady_clock::now();
+  Verdict verdict = run(demand, subject);
+  verdict.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return verdict;
 }
 
 }  // namespace geodrome::conformance

@@ -4,16 +4,14 @@
 // Judges one demand on one plugin and prints the verdict as one JSON object to standard output, status 0. Whatever the
 // plugin does to the process stays in this process; who runs it sets a time limit and takes any other end for a
 // failure.
-#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <cstdlib>
 #include <iostream>
 
+#include "engine/host/answer.hpp"
 #include "tools/conformance/verdict_json.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -39,13 +37,6 @@ void limit_memory(const char* megabytes) {
 #endif
 }
 
-/// From here on what the plugin prints goes to standard error, so that standard output carries the verdict alone.
-int keep_output_to_ourselves() {
-  const int result = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
-  if (result < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) std::perror("geodrome-judge");
-  return result;
-}
-
 Subject subject_of(int argc, char** argv) {
   std::vector<std::filesystem::path> folders, meshes;
   for (int i = 4; i + 1 < argc; i += 2)
@@ -64,14 +55,11 @@ int main(int argc, char** argv) {
     return 2;
   }
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a plugin that hangs must not outlive who asked
-  const int result = keep_output_to_ourselves();
+  const Answer answer("geodrome-judge");
   try {
     const Subject subject = subject_of(argc, argv);
     limit_memory(argv[3]);
-    const std::string line =
-        to_json(judge(subject, argv[2])).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-    const bool written = write(result, line.data(), line.size()) == static_cast<ssize_t>(line.size());
-    _exit(written ? 0 : 3);  // no destructor of the plugin gets another chance to run
+    answer.end(to_json(judge(subject, argv[2])).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), 0);
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";
     return 1;

@@ -69,21 +69,7 @@ int list(const Arguments& arguments) {
 
 /// All plugins of a name, whatever the stage; a path names a file.
 int show(const Arguments& arguments) {
-  const PluginHost host(arguments.plugin_path);
-  std::vector<PluginInfo> found;
-  if (arguments.name.find('/') != std::string::npos) {
-    found.push_back(host.inspect(arguments.name));
-  } else {
-    const std::vector<PluginInfo> usable = host.list().usable;
-    std::copy_if(usable.begin(), usable.end(), std::back_inserter(found), [&](const PluginInfo& plugin) {
-      return plugin.name == arguments.name || plugin.full_name() == arguments.name;
-    });
-    if (found.empty()) {
-      std::vector<std::string> names;
-      for (const PluginInfo& plugin : usable) names.push_back(plugin.full_name());
-      throw OptionError("no plugin '" + arguments.name + "'", "there are: " + joined(names));
-    }
-  }
+  const std::vector<PluginInfo> found = PluginHost(arguments.plugin_path).named(arguments.name);
   Json json = Json::array();
   for (const PluginInfo& plugin : found) json.push_back(to_json(plugin));
   if (arguments.json)

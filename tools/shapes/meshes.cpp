@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "tools/shapes/quarter.hpp"
+#include "engine/run/quarter.hpp"
 #include "tools/shapes/surface_net.hpp"
 
 namespace geodrome::shapes {

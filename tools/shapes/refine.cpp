@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/shapes/quarter.hpp"
+#include "engine/run/quarter.hpp"
 #include "tools/shapes/random.hpp"
 
 namespace geodrome::shapes {

@@ -218,6 +218,16 @@ inline MeshPtr shaken(const MeshPtr& mesh, double by, std::uint64_t seed) {
   });
 }
 
+/// What a closed mesh encloses; positive if its faces look outwards.
+inline double volume(const SurfaceMesh& mesh) {
+  double six_volumes = 0;
+  for (Index f = 0; f < mesh.face_count(); ++f) {
+    const auto [p, q, r] = mesh.corners(f);
+    six_volumes += dot(p, cross(q, r));
+  }
+  return six_volumes / 6;
+}
+
 /// Some seeded point of the surface: inside a face, on an edge or at a vertex.
 inline SurfacePoint random_point(const SurfaceMesh& mesh, std::mt19937_64& random) {
   SurfacePoint point{static_cast<Index>(random() % mesh.face_count()), {}};

@@ -5,17 +5,15 @@
 //   {"interface_version":1,"build_tag":"...","plugin":{...}}      status 0
 //   {"interface_version":1,"build_tag":"...","refused":"why"}     status 1
 #define BOOST_DLL_USE_STD_FS
-#include <fcntl.h>
 #include <sys/prctl.h>
-#include <unistd.h>
 
 #include <boost/dll/shared_library.hpp>
 #include <csignal>
-#include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 
+#include "engine/host/answer.hpp"
 #include "engine/host/handshake.hpp"
 #include "engine/host/plugin_json.hpp"
 #include "tools/vet/descriptor.hpp"
@@ -31,28 +29,13 @@ namespace {
 
 using namespace geodrome;
 
-int result_descriptor = STDOUT_FILENO;
+const Answer* output = nullptr;
 
-/// Prints the answer and ends the process at once: no destructor of the plugin gets another chance to run.
+/// Prints the answer and ends the process.
 [[noreturn]] void answer(const char* key, const nlohmann::json& value) {
   const nlohmann::json json = {{"interface_version", interface_version}, {"build_tag", build_tag}, {key, value}};
-  const std::string line = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
-  std::size_t written = 0;
-  while (written < line.size()) {
-    const ssize_t count = write(result_descriptor, line.data() + written, line.size() - written);
-    if (count <= 0) _exit(3);
-    written += static_cast<std::size_t>(count);
-  }
-  _exit(std::string_view(key) == "plugin" ? 0 : 1);
-}
-
-/// From here on what the plugin prints goes to standard error, so that standard output carries the answer alone.
-void keep_output_to_ourselves() {
-  result_descriptor = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
-  if (result_descriptor < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) {
-    std::perror("geodrome-vet");
-    _exit(3);
-  }
+  output->end(json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
+              std::string_view(key) == "plugin" ? 0 : 1);
 }
 
 std::string what_was_thrown() {
@@ -101,7 +84,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a plugin that hangs must not outlive the host
-  keep_output_to_ourselves();
+  const Answer own("geodrome-vet");
+  output = &own;
   std::set_terminate([] {
     answer("refused",
            std::current_exception() ? "threw while being loaded: " + what_was_thrown() : "called std::terminate");

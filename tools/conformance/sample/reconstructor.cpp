@@ -3,36 +3,11 @@
 #include <algorithm>
 #include <numbers>
 
-#include "geodrome/detail/connectivity.hpp"
+#include "engine/report/surface_facts.hpp"
 #include "tools/conformance/sample/reconstructor_trial.hpp"
 
 namespace geodrome::conformance {
 namespace {
-
-long euler_number(const SurfaceMesh& mesh) {
-  std::size_t edges_twice = 0;
-  for (const Index twin : mesh.twins()) edges_twice += twin == no_index ? 2 : 1;
-  return static_cast<long>(mesh.vertex_count()) - static_cast<long>(edges_twice / 2) +
-         static_cast<long>(mesh.face_count());
-}
-
-std::size_t component_count(const SurfaceMesh& mesh) {
-  detail::DisjointSets sets(mesh.vertex_count());
-  for (const Triangle& f : mesh.triangles()) sets.unite(f[0], f[1]), sets.unite(f[0], f[2]);
-  std::size_t count = 0;
-  for (Index v = 0; v < mesh.vertex_count(); ++v) count += sets.find(v) == v;
-  return count;
-}
-
-/// Six times the signed volume under the faces, over six: positive if a closed surface is oriented outwards.
-double volume(const SurfaceMesh& mesh) {
-  double sum = 0;
-  for (Index f = 0; f < mesh.face_count(); ++f) {
-    const auto [p, q, r] = mesh.corners(f);
-    sum += dot(p, cross(q, r));
-  }
-  return sum / 6;
-}
 
 /// The surface, checked for what every surface must be. A refusal must tell where; it leaves the demand.
 Reconstruction sound(ReconstructorTrial& t, const Staged& s, const char* name) {
@@ -63,7 +38,7 @@ void sphere(ReconstructorTrial& t) {
   const Reconstruction made = t.reconstruct(s);
   sound(t, s, "sphere");
   t.holds(made.mesh->closed(), "closed");
-  t.equal(euler_number(*made.mesh), 2L, "Euler number");
+  t.equal(facts_of(*made.mesh).euler_number, 2L, "Euler number");
   t.near(volume(*made.mesh), 4.18879, 0.1, "volume, positive if faces look outwards");
 }
 
@@ -71,7 +46,7 @@ void torus(ReconstructorTrial& t) {
   const PointSample sample = points_of(bumpy_torus(60, 24, 0.01, 3));
   const Reconstruction made = sound(t, t.staged(sample), "torus");
   t.holds(made.mesh->closed(), "closed");
-  t.equal(euler_number(*made.mesh), 0L, "Euler number");
+  t.equal(facts_of(*made.mesh).euler_number, 0L, "Euler number");
   t.equal(made.mesh->vertex_count(), sample.size(), "vertices");
   const double wanted = 2 * std::numbers::pi * std::numbers::pi * 0.4 * 0.4;
   t.near(volume(*made.mesh), wanted, 0.1 * wanted, "volume, positive if faces look outwards");
@@ -79,7 +54,7 @@ void torus(ReconstructorTrial& t) {
 
 void tube_with_boundary(ReconstructorTrial& t) {
   const Reconstruction made = sound(t, t.staged(points_of(prism(40, 12, 0.16))), "tube");
-  t.equal(euler_number(*made.mesh), 0L, "Euler number of a tube with two boundary loops");
+  t.equal(facts_of(*made.mesh).euler_number, 0L, "Euler number of a tube with two boundary loops");
   t.holds(!made.mesh->closed(), "open");
   t.holds(
       std::any_of(made.findings.begin(), made.findings.end(), [](const Finding& f) { return f.code == "boundary"; }),
@@ -94,7 +69,7 @@ void planar_grid(ReconstructorTrial& t) {
                                                               }))),
                                     "planar grid");
   t.equal(made.mesh->face_count(), std::size_t{2 * 12 * 12}, "faces");
-  t.equal(euler_number(*made.mesh), 1L, "Euler number of a disc");
+  t.equal(facts_of(*made.mesh).euler_number, 1L, "Euler number of a disc");
 }
 
 void notch(ReconstructorTrial& t) {
@@ -113,7 +88,7 @@ void clusters(ReconstructorTrial& t) {
   const PointSample other = moved(shapes::small::torus(3000, 12), 1, {4, 0, 0});
   sample.points.insert(sample.points.end(), other.points.begin(), other.points.end());
   const Reconstruction made = sound(t, t.staged(sample), "two tori");
-  t.equal(component_count(*made.mesh), std::size_t{2}, "components");
+  t.equal(facts_of(*made.mesh).components, std::size_t{2}, "components");
 }
 
 /// For samples that stages 1 to 3 would refuse themselves.

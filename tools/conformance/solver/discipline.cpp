@@ -68,14 +68,6 @@ void two_searches(SolverTrial& t) {
 }
 
 void threads_of_prepare(SolverTrial& t) {
-  class Threads : public QuietContext {
-   public:
-    explicit Threads(unsigned count) : count_(count) {}
-    unsigned threads() const noexcept override { return count_; }
-
-   private:
-    unsigned count_;
-  };
   const MeshPtr mesh = usual_mesh(t);
   Threads one(1), four(4);
   const auto a = t.plugin.object->prepare(mesh, one), b = t.plugin.object->prepare(mesh, four);

@@ -210,9 +210,7 @@ void wrong_byte(SolverTrial& t) {
 }
 
 void threads(SolverTrial& t) {
-  class Two : public QuietContext {
-    unsigned threads() const noexcept override { return 2; }
-  } two;
+  Threads two(2);
   const MeshPtr mesh = usual_mesh();
   const Points points = some_points(*mesh, 30, 9);
   const Oracle oracle(t, mesh);

@@ -61,6 +61,16 @@ class CancelAfter : public QuietContext {
   mutable int left_;
 };
 
+/// Allows so many threads.
+class Threads : public QuietContext {
+ public:
+  explicit Threads(unsigned count) : count_(count) {}
+  unsigned threads() const noexcept override { return count_; }
+
+ private:
+  unsigned count_;
+};
+
 /// A trial of a solver.
 struct SolverTrial : StageTrial<ShortestPathSolver> {
   using StageTrial::StageTrial;

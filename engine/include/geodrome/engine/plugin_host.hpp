@@ -54,6 +54,11 @@ class PluginHost {
   /// Vets one file as `list` does. Throws PluginError with the reason if it is refused, OptionError if it is not there.
   PluginInfo inspect(const std::filesystem::path& file) const;
 
+  /// What a user means by "cgal", "solver_cgal" or the path of a file (which holds a '/'): the file, or all plugins of
+  /// that name, whatever their stage. Vets as `list` and `inspect` do. Throws OptionError for an unknown name, with
+  /// those that there are; else as `inspect`.
+  std::vector<PluginInfo> named(const std::string& name) const;
+
   /// Loads the plugin of a stage. `selection` is "name[:key=value,...]"; the name may carry its stage ("solver_cgal"),
   /// or be the path of a file. Throws OptionError for an unknown name (with the valid ones and the folders searched) or
   /// an option that is wrong, PluginError for a plugin that cannot be used (with file and reason).

@@ -8,9 +8,10 @@
 
 #include "geodrome/surface.hpp"
 
-namespace geodrome::shapes {
+namespace geodrome {
 
-/// One triangle becomes four by new vertices on its edges, each at `place(p, q)` for an edge from p to q.
+/// One triangle becomes four by new vertices on its edges, each at `place(p, q)` for an edge from p to q: those of face
+/// f are 4 f to 4 f + 3, at its corners in their order and in the middle.
 template <class Place>
 void quarter(std::vector<Vec3>& positions, std::vector<Triangle>& triangles, Place&& place) {
   std::map<std::pair<Index, Index>, Index> middles;
@@ -28,4 +29,4 @@ void quarter(std::vector<Vec3>& positions, std::vector<Triangle>& triangles, Pla
   triangles = std::move(finer);
 }
 
-}  // namespace geodrome::shapes
+}  // namespace geodrome

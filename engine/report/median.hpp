@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace geodrome::bench {
+namespace geodrome {
 
 /// The middle value, or the mean of the two in the middle. Precondition: not empty.
 inline double median(std::vector<double> values) {
@@ -13,4 +13,4 @@ inline double median(std::vector<double> values) {
   return values.size() % 2 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-}  // namespace geodrome::bench
+}  // namespace geodrome
