@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "engine/input/merge.hpp"
-#include "engine/input/report.hpp"
+#include "engine/input/findings.hpp"
 
 namespace geodrome::input {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/input/report.hpp"
+#include "engine/input/findings.hpp"
 
 namespace geodrome::input {
 namespace {

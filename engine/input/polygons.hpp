@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/input/soup.hpp"
+#include "engine/formats/soup.hpp"
 #include "geodrome/surface.hpp"
 
 namespace geodrome::input {

@@ -8,8 +8,8 @@
 #include "engine/input/merge.hpp"
 #include "engine/input/mesh_check.hpp"
 #include "engine/input/polygons.hpp"
-#include "engine/input/report.hpp"
-#include "engine/input/soup.hpp"
+#include "engine/input/findings.hpp"
+#include "engine/formats/soup.hpp"
 #include "engine/input/weights.hpp"
 #include "geodrome/engine/input.hpp"
 

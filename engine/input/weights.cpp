@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "engine/input/line_reader.hpp"
-#include "engine/input/report.hpp"
+#include "engine/formats/line_reader.hpp"
+#include "engine/input/findings.hpp"
 
 namespace geodrome::input {
 namespace {

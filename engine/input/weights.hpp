@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/input/soup.hpp"
+#include "engine/formats/soup.hpp"
 #include "geodrome/engine/input.hpp"
 
 namespace geodrome::input {

@@ -14,9 +14,9 @@
 #include <sstream>
 #include <vector>
 
-#include "engine/input/source_file.hpp"
+#include "engine/formats/source_file.hpp"
 #include "engine/output/atomic_file.hpp"
-#include "engine/output/number_text.hpp"
+#include "engine/formats/number_text.hpp"
 
 namespace geodrome {
 namespace {

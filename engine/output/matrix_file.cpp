@@ -8,9 +8,9 @@
 #include <optional>
 #include <stdexcept>
 
-#include "engine/output/csv.hpp"
-#include "engine/output/npy.hpp"
-#include "engine/output/number_text.hpp"
+#include "engine/formats/csv.hpp"
+#include "engine/formats/npy.hpp"
+#include "engine/formats/number_text.hpp"
 #include "engine/output/partial_footer.hpp"
 #include "engine/output/posix_file.hpp"
 #include "geodrome/errors.hpp"

@@ -12,7 +12,7 @@
 #include <set>
 #include <vector>
 
-#include "engine/output/npy.hpp"
+#include "engine/formats/npy.hpp"
 #include "geodrome/errors.hpp"
 
 namespace geodrome {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "engine/report/input_rows.hpp"
+#include "engine/surface/input_rows.hpp"
 
 namespace geodrome {
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
-SurfaceDistance distance_of(const Input& input, const Surface& surface) {
+SurfaceDistance distance_of(const Input& input, const PlacedSurface& surface) {
   SurfaceDistance result;
   const std::vector<Index> row_of = rows_of_elements(input);
   double sum = 0;
@@ -89,7 +89,7 @@ Practice practice_of(const SampleReport& report, const Claim& on_surface, const 
 
 }  // namespace
 
-SampleReport make_sample_report(const Input& input, const Surface& surface, const SampleError* refusal,
+SampleReport make_sample_report(const Input& input, const PlacedSurface& surface, const SampleError* refusal,
                                 std::optional<double> factor, std::uint64_t seed) {
   SampleReport report;
   report.facts = facts_of(input, *surface.sample);

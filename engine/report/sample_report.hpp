@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "engine/report/guarantee.hpp"
+#include "engine/checks/guarantee.hpp"
 #include "engine/report/json.hpp"
-#include "engine/report/surface_facts.hpp"
-#include "engine/report/worst_places.hpp"
+#include "engine/checks/surface_facts.hpp"
+#include "engine/checks/worst_places.hpp"
 
 namespace geodrome {
 
@@ -65,7 +65,7 @@ inline constexpr double most_noise = 0.01;
 
 /// Everything that can be told of stages 1 to 4 as far as they came; `surface.sample` is there. `refusal`: why there is
 /// no surface, if there is none. `factor`: the solver's, if one runs. O(n log n).
-SampleReport make_sample_report(const Input& input, const Surface& surface, const SampleError* refusal,
+SampleReport make_sample_report(const Input& input, const PlacedSurface& surface, const SampleError* refusal,
                                 std::optional<double> factor, std::uint64_t seed);
 
 /// Members of the report's "sample", "surface" (of a sample that was not refused), "guarantee_of_the_paper",

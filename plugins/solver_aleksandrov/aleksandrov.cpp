@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/aleksandrov.hpp"
+#include "plugins/solver_aleksandrov/aleksandrov.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "common/solvers/surface_search.hpp"
-#include "solver_aleksandrov/pairs/pair_oracle.hpp"
-#include "solver_aleksandrov/propagation.hpp"
+#include "plugins/common/exact/propagation_search.hpp"
+#include "plugins/solver_aleksandrov/pairs/pair_oracle.hpp"
+#include "plugins/solver_aleksandrov/propagation.hpp"
 
 namespace geodrome {
 namespace {
@@ -16,11 +16,11 @@ class AleksandrovPrepared final : public PreparedSurface {
  public:
   AleksandrovPrepared(MeshPtr mesh, const aleksandrov::Settings& settings, RunContext& context)
       : delta_(settings.delta),
-        surface_(std::make_shared<const FlatSurface>(std::move(mesh))),
+        surface_(std::make_shared<const PackedMesh>(std::move(mesh))),
         discretization_(std::make_shared<const aleksandrov::Discretization>(*surface_, settings, context)) {}
 
   std::unique_ptr<Search> make_search() const override {
-    return std::make_unique<SurfaceSearch<aleksandrov::Propagation>>(surface_, discretization_);
+    return std::make_unique<PropagationSearch<aleksandrov::Propagation>>(surface_, discretization_);
   }
   std::unique_ptr<PairOracle> pair_oracle(std::istream* saved, RunContext& context) const override {
     return aleksandrov::make_pair_oracle(discretization_, delta_, saved, context);
@@ -29,7 +29,7 @@ class AleksandrovPrepared final : public PreparedSurface {
 
  private:
   double delta_;
-  std::shared_ptr<const FlatSurface> surface_;
+  std::shared_ptr<const PackedMesh> surface_;
   std::shared_ptr<const aleksandrov::Discretization> discretization_;
 };
 

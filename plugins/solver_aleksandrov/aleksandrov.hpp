@@ -3,7 +3,7 @@
 
 #include "geodrome/options.hpp"
 #include "geodrome/shortest_path_solver.hpp"
-#include "solver_aleksandrov/discretization.hpp"
+#include "plugins/solver_aleksandrov/discretization.hpp"
 
 namespace geodrome {
 

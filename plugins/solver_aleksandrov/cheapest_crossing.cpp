@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/cheapest_crossing.hpp"
+#include "plugins/solver_aleksandrov/cheapest_crossing.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_aleksandrov/intrinsic/plane.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/plane.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/direct_way.hpp"
+#include "plugins/solver_aleksandrov/direct_way.hpp"
 
 #include <algorithm>
 #include <cmath>

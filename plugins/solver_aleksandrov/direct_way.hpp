@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "solver_aleksandrov/steiner_graph.hpp"
+#include "plugins/solver_aleksandrov/steiner_graph.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/discretization.hpp"
+#include "plugins/solver_aleksandrov/discretization.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "geodrome/errors.hpp"
-#include "solver_aleksandrov/intrinsic/delaunay.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/delaunay.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
@@ -55,7 +55,7 @@ SteinerPlacement placed(const IntrinsicTriangulation& triangulation, const Setti
 }
 
 /// Refinement pays where thin faces can be had rid of, not where the surface is a thin strip: then it makes many.
-IntrinsicTriangulation triangulated(const FlatSurface& surface, const Settings& settings, const RunContext& context) {
+IntrinsicTriangulation triangulated(const PackedMesh& surface, const Settings& settings, const RunContext& context) {
   IntrinsicTriangulation flipped(surface, tiny);
   if (settings.triangulation == Triangulation::as_is) return flipped;
   make_delaunay(flipped, context);
@@ -78,7 +78,7 @@ bool move_to_side(const IntrinsicTriangulation::Face& face, int i, double close,
 
 }  // namespace
 
-Discretization::Discretization(const FlatSurface& surface, const Settings& settings, const RunContext& context)
+Discretization::Discretization(const PackedMesh& surface, const Settings& settings, const RunContext& context)
     : surface_(surface),
       triangulation_(triangulated(surface, settings, context)),
       graph_(triangulation_, placed(triangulation_, settings)) {}

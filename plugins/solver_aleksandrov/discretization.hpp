@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "common/solvers/flat_surface.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
 #include "geodrome/run_context.hpp"
-#include "solver_aleksandrov/intrinsic/triangulation.hpp"
-#include "solver_aleksandrov/steiner_graph.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/triangulation.hpp"
+#include "plugins/solver_aleksandrov/steiner_graph.hpp"
 
 namespace geodrome::aleksandrov {
 
@@ -27,9 +27,9 @@ struct Settings {
 class Discretization {
  public:
   /// O(F log F) and the Steiner points. Throws RefusedError if these are too many; may throw Cancelled.
-  Discretization(const FlatSurface& surface, const Settings& settings, const RunContext& context);
+  Discretization(const PackedMesh& surface, const Settings& settings, const RunContext& context);
 
-  const FlatSurface& surface() const { return surface_; }
+  const PackedMesh& surface() const { return surface_; }
   const SteinerGraph& graph() const { return graph_; }
 
   /// A place of the flat surface in the triangulation of the graph; within rounding of an edge it is on the edge.
@@ -41,7 +41,7 @@ class Discretization {
   std::size_t bytes() const { return triangulation_.bytes() + graph_.bytes(); }
 
  private:
-  const FlatSurface& surface_;
+  const PackedMesh& surface_;
   IntrinsicTriangulation triangulation_;
   SteinerGraph graph_;
 };

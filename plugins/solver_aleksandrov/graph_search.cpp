@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/graph_search.hpp"
+#include "plugins/solver_aleksandrov/graph_search.hpp"
 
 #include <cmath>
 
-#include "solver_aleksandrov/strip_scan.hpp"
+#include "plugins/solver_aleksandrov/strip_scan.hpp"
 
 namespace geodrome::aleksandrov {
 

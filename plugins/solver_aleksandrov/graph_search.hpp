@@ -6,9 +6,9 @@
 #include <limits>
 #include <vector>
 
-#include "common/solvers/indexed_heap.hpp"
+#include "plugins/common/mesh/indexed_heap.hpp"
 #include "geodrome/run_context.hpp"
-#include "solver_aleksandrov/steiner_graph.hpp"
+#include "plugins/solver_aleksandrov/steiner_graph.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/joint.hpp"
+#include "plugins/solver_aleksandrov/joint.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ constexpr double price_of_a_face = 1e-15;
 /// the place is moved.
 class Walk {
  public:
-  Walk(const FlatSurface& surface, const SurfacePoint& at)
+  Walk(const PackedMesh& surface, const SurfacePoint& at)
       : surface_(surface), limit_(close * std::max(1.0, surface.longest_side(at.face))) {
     step({at, 0, no_index});
   }
@@ -74,7 +74,7 @@ class Walk {
     for (const Index g : surface_.corners(surface_.from(h))) step({surface_.point_on(g, 0), moved, from});
   }
 
-  const FlatSurface& surface_;
+  const PackedMesh& surface_;
   double limit_;
   std::vector<Step> steps_;
   std::vector<Index> done_;
@@ -84,7 +84,7 @@ class Walk {
 
 }  // namespace
 
-std::vector<SurfacePoint> joint(const FlatSurface& surface, const SurfacePoint& at, Index face) {
+std::vector<SurfacePoint> joint(const PackedMesh& surface, const SurfacePoint& at, Index face) {
   Walk walk(surface, at);
   const Index last = walk.to(face);
   if (last == no_index)

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
 
 namespace geodrome::aleksandrov {
 
@@ -11,6 +11,6 @@ namespace geodrome::aleksandrov {
 /// rounding: each and the next are in one face, the first in that of `at`, the last in `face`. One point if both faces
 /// have an edge in common there or a vertex; more through faces without area, or needles, between them. All are within
 /// rounding of `at`. Throws NumericalError if nothing leads there. O(k log k) for the k faces at the place.
-std::vector<SurfacePoint> joint(const FlatSurface& surface, const SurfacePoint& at, Index face);
+std::vector<SurfacePoint> joint(const PackedMesh& surface, const SurfacePoint& at, Index face);
 
 }  // namespace geodrome::aleksandrov

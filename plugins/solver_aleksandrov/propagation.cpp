@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/propagation.hpp"
+#include "plugins/solver_aleksandrov/propagation.hpp"
 
 #include <algorithm>
 
-#include "solver_aleksandrov/source_star.hpp"
+#include "plugins/solver_aleksandrov/source_star.hpp"
 
 namespace geodrome::aleksandrov {
 
-Propagation::Propagation(const FlatSurface&, const Settings& discretization)
+Propagation::Propagation(const PackedMesh&, const Settings& discretization)
     : discretization_(discretization), search_(graph()), labels_(search_.labels()) {}
 
 void Propagation::begin(bool, double limit) {
@@ -17,7 +17,7 @@ void Propagation::begin(bool, double limit) {
 }
 
 void Propagation::seed(const Source& source, Index number) {
-  const FlatSurface& surface = discretization_->surface();
+  const PackedMesh& surface = discretization_->surface();
   const Index vertex = surface.mesh().vertex_at(source.at);
   if (vertex != no_index) {
     const Index node = surface.vertex_of_original(vertex);
@@ -165,7 +165,7 @@ void Propagation::trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out
   TracedPath path(*discretization_);
   const SurfacePoint end = trace_nodes(vertex, path);
   if (path.empty()) return;
-  const FlatSurface& surface = discretization_->surface();
+  const PackedMesh& surface = discretization_->surface();
   const SurfacePoint start = surface.mesh().at_vertex(surface.original_vertex(vertex));
   out.push_back(start);
   path.append_inner_points(surface.inner(start), end, out);
@@ -187,7 +187,7 @@ SurfacePoint Propagation::trace_nodes(Index node, TracedPath& path) const {
     path.from_node(node, nearest->at);
     return nearest->flat;
   }
-  const FlatSurface& surface = discretization_->surface();
+  const PackedMesh& surface = discretization_->surface();
   return surface.inner(surface.mesh().at_vertex(surface.original_vertex(node)));
 }
 

@@ -7,17 +7,17 @@
 #include <memory>
 #include <vector>
 
-#include "common/solvers/labels.hpp"
-#include "common/solvers/watched.hpp"
+#include "plugins/common/mesh/labels.hpp"
+#include "plugins/common/exact/watched_target.hpp"
 #include "geodrome/shortest_path_solver.hpp"
-#include "solver_aleksandrov/direct_way.hpp"
-#include "solver_aleksandrov/discretization.hpp"
-#include "solver_aleksandrov/graph_search.hpp"
-#include "solver_aleksandrov/traced_path.hpp"
+#include "plugins/solver_aleksandrov/direct_way.hpp"
+#include "plugins/solver_aleksandrov/discretization.hpp"
+#include "plugins/solver_aleksandrov/graph_search.hpp"
+#include "plugins/solver_aleksandrov/traced_path.hpp"
 
 namespace geodrome::aleksandrov {
 
-/// A search over the Steiner graph from any places of a surface, in the form that SurfaceSearch asks for. All distances
+/// A search over the Steiner graph from any places of a surface, in the form that PropagationSearch asks for. All distances
 /// are those of the flat surface. Used again and again: a run costs what it reaches.
 class Propagation {
  public:
@@ -35,7 +35,7 @@ class Propagation {
     double scale = 1;
   };
 
-  Propagation(const FlatSurface& surface, const Settings& discretization);
+  Propagation(const PackedMesh& surface, const Settings& discretization);
 
   void begin(bool keep, double limit);
   void seed(const Source& source, Index number);

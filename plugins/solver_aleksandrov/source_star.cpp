@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/source_star.hpp"
+#include "plugins/solver_aleksandrov/source_star.hpp"
 
 #include <algorithm>
 #include <limits>

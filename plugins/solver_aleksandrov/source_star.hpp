@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_aleksandrov/steiner_graph.hpp"
+#include "plugins/solver_aleksandrov/steiner_graph.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/steiner_graph.hpp"
+#include "plugins/solver_aleksandrov/steiner_graph.hpp"
 
 namespace geodrome::aleksandrov {
 SteinerGraph::SteinerGraph(const IntrinsicTriangulation& triangulation, const SteinerPlacement& placement)

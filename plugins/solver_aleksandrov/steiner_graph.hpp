@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "solver_aleksandrov/cheapest_crossing.hpp"
-#include "solver_aleksandrov/intrinsic/triangulation.hpp"
-#include "solver_aleksandrov/steiner_points.hpp"
+#include "plugins/solver_aleksandrov/cheapest_crossing.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/triangulation.hpp"
+#include "plugins/solver_aleksandrov/steiner_points.hpp"
 
 namespace geodrome::aleksandrov {
 
@@ -125,7 +125,7 @@ class SteinerGraph {
 
 }  // namespace geodrome::aleksandrov
 
-#include "solver_aleksandrov/weighted_edges.hpp"
+#include "plugins/solver_aleksandrov/weighted_edges.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/steiner_points.hpp"
+#include "plugins/solver_aleksandrov/steiner_points.hpp"
 
 #include <algorithm>
 #include <cmath>

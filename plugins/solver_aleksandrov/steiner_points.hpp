@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_aleksandrov/intrinsic/triangulation.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/triangulation.hpp"
 
 namespace geodrome::aleksandrov {
 

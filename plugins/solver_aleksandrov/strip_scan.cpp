@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/strip_scan.hpp"
+#include "plugins/solver_aleksandrov/strip_scan.hpp"
 
 #include <cstdint>
 #include <cstring>
 
-#include "solver_aleksandrov/processor_levels.hpp"
+#include "plugins/solver_aleksandrov/processor_levels.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {

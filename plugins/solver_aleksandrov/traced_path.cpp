@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/traced_path.hpp"
+#include "plugins/solver_aleksandrov/traced_path.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "solver_aleksandrov/direct_way.hpp"
-#include "solver_aleksandrov/joint.hpp"
-#include "solver_aleksandrov/source_star.hpp"
+#include "plugins/solver_aleksandrov/direct_way.hpp"
+#include "plugins/solver_aleksandrov/joint.hpp"
+#include "plugins/solver_aleksandrov/source_star.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
@@ -25,7 +25,7 @@ Barycentric on_edge(Index h, double length, double x) {
 }
 
 /// Whether a face of the flat surface holds a point that is named in another one.
-bool holds(const FlatSurface& surface, Index face, const SurfacePoint& point) {
+bool holds(const PackedMesh& surface, Index face, const SurfacePoint& point) {
   for (Index i = 0; i < 3; ++i)
     if (point.b[i] == 1) {
       const auto& vertex = surface.face(face).vertex;
@@ -153,7 +153,7 @@ std::vector<Piece> TracedPath::pieces() const {
 
 /// The point between two pieces must lie in the faces of both.
 void TracedPath::append_joint(const Piece& before, const Piece& after, std::vector<SurfacePoint>& out) const {
-  const FlatSurface& surface = discretization_.surface();
+  const PackedMesh& surface = discretization_.surface();
   const SurfacePoint at{before.triangle, before.to};
   if (before.triangle == after.triangle) return out.push_back(surface.original(at));
   for (const SurfacePoint& point : joint(surface, at, after.triangle)) out.push_back(surface.original(point));

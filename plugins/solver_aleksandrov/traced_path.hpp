@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "solver_aleksandrov/discretization.hpp"
+#include "plugins/solver_aleksandrov/discretization.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 // Included by steiner_graph.hpp alone, after SteinerGraph.
-#include "solver_aleksandrov/cheapest_crossing.hpp"
+#include "plugins/solver_aleksandrov/cheapest_crossing.hpp"
 
 namespace geodrome::aleksandrov {
 

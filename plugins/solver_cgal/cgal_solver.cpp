@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver_cgal/cgal_solver.hpp"
+#include "plugins/solver_cgal/cgal_solver.hpp"
 
 #include <CGAL/Surface_mesh_shortest_path.h>
 #include <CGAL/assertions_behaviour.h>
@@ -13,9 +13,9 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "common/solvers/query_points.hpp"
-#include "common/solvers/vertex_components.hpp"
-#include "solver_cgal/cgal_surface.hpp"
+#include "plugins/common/requests/request_checks.hpp"
+#include "plugins/common/requests/source_components.hpp"
+#include "plugins/solver_cgal/cgal_surface.hpp"
 
 namespace geodrome {
 namespace {

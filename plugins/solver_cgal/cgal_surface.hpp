@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "geodrome/surface.hpp"
-#include "solver_cgal/layout_traits.hpp"
+#include "plugins/solver_cgal/layout_traits.hpp"
 
 namespace geodrome::cgal {
 

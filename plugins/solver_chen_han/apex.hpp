@@ -3,10 +3,10 @@
 
 #include <cstddef>
 
-#include "common/solvers/apex.hpp"
-#include "common/solvers/bisector.hpp"
-#include "solver_chen_han/lanes.hpp"
-#include "solver_chen_han/windows.hpp"
+#include "plugins/common/mesh/apex.hpp"
+#include "plugins/common/exact/bisector.hpp"
+#include "plugins/solver_chen_han/lanes.hpp"
+#include "plugins/solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
 

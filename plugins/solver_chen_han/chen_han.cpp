@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/chen_han.hpp"
+#include "plugins/solver_chen_han/chen_han.hpp"
 
 #include <string>
 #include <utility>
 
-#include "common/solvers/exact_prepared.hpp"
-#include "solver_chen_han/lanes.hpp"
-#include "solver_chen_han/propagation.hpp"
+#include "plugins/common/exact/exact_prepared.hpp"
+#include "plugins/solver_chen_han/lanes.hpp"
+#include "plugins/solver_chen_han/propagation.hpp"
 
 namespace geodrome {
 namespace {

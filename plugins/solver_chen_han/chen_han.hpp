@@ -3,7 +3,7 @@
 
 #include "geodrome/options.hpp"
 #include "geodrome/shortest_path_solver.hpp"
-#include "solver_chen_han/settings.hpp"
+#include "plugins/solver_chen_han/settings.hpp"
 
 namespace geodrome {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/kept_windows.hpp"
+#include "plugins/solver_chen_han/kept_windows.hpp"
 
 #include <stdexcept>
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "common/solvers/labels.hpp"
-#include "solver_chen_han/windows.hpp"
+#include "plugins/common/mesh/labels.hpp"
+#include "plugins/solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
 

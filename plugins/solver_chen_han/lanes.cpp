@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/lanes.hpp"
+#include "plugins/solver_chen_han/lanes.hpp"
 
-#include "solver_chen_han/lanes_body.hpp"
+#include "plugins/solver_chen_han/lanes_body.hpp"
 
 namespace geodrome::chen_han {
 

@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "solver_chen_han/windows.hpp"
+#include "plugins/solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/lanes_body.hpp"
+#include "plugins/solver_chen_han/lanes_body.hpp"
 
 namespace geodrome::chen_han {
 extern const Lanes avx2_lanes;

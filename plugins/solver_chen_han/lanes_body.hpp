@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "common/solvers/bisector.hpp"
-#include "solver_chen_han/lanes.hpp"
+#include "plugins/common/exact/bisector.hpp"
+#include "plugins/solver_chen_han/lanes.hpp"
 
 /// The loops of lanes.hpp for registers of N doubles. Included once by each file that is compiled for a level; all is
 /// templates on N, so that no function compiled for one processor is linked into the code for another.

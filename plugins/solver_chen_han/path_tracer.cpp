@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/path_tracer.hpp"
+#include "plugins/solver_chen_han/path_tracer.hpp"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ void PathTracer::from_vertex(Index vertex) {
     const Step& step = labels_.step(vertex);
     if (step.window != no_index) {
       const Index half_edge = kept_.half_edge_of(step.window);
-      const auto [x, y] = FlatSurface::apex(surface_.face_of(half_edge), static_cast<int>(half_edge % 3));
+      const auto [x, y] = PackedMesh::apex(surface_.face_of(half_edge), static_cast<int>(half_edge % 3));
       vertex = through(step.window, x, y);
     } else {
       vertex = step.vertex;
@@ -42,7 +42,7 @@ Index PathTracer::through(Index window, double x, double y) {
 
 /// Point x of a half-edge in the frame of the half-edge `parent` of the face below, through which the window came.
 std::pair<double, double> PathTracer::on_face_below(Index half_edge, double x, Index parent) const {
-  const FlatSurface::Face& face = surface_.face_of(parent);
+  const PackedMesh::Face& face = surface_.face_of(parent);
   for (const Index edge : {SurfaceMesh::previous(parent), SurfaceMesh::next(parent)}) {
     double along = -1;
     surface_.for_each_across(edge, [&](Index other, bool mirrored) {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "solver_chen_han/kept_windows.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/solver_chen_han/kept_windows.hpp"
 
 namespace geodrome::chen_han {
 
@@ -12,7 +12,7 @@ namespace geodrome::chen_han {
 /// no error adds up, and thin triangles do no harm. Points are appended with the mesh's own face numbers.
 class PathTracer {
  public:
-  PathTracer(const FlatSurface& surface, const Labels& labels, const KeptWindows& kept, std::vector<SurfacePoint>& out)
+  PathTracer(const PackedMesh& surface, const Labels& labels, const KeptWindows& kept, std::vector<SurfacePoint>& out)
       : surface_(surface), labels_(labels), kept_(kept), out_(out) {}
 
   /// From a vertex, which is appended first unless it is a source itself. O(faces crossed x log windows).
@@ -24,7 +24,7 @@ class PathTracer {
   Index through(Index window, double x, double y);
   std::pair<double, double> on_face_below(Index half_edge, double x, Index parent) const;
 
-  const FlatSurface& surface_;
+  const PackedMesh& surface_;
   const Labels& labels_;
   const KeptWindows& kept_;
   std::vector<SurfacePoint>& out_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/plugin.hpp"
-#include "solver_chen_han/chen_han.hpp"
+#include "plugins/solver_chen_han/chen_han.hpp"
 
 GEODROME_PLUGIN(geodrome::ChenHanSolver, .name = "chen_han",
                 .summary = "exact, by windows (Chen and Han 1996, Xin and Wang 2009, Qin et al. 2016)",

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/propagation.hpp"
+#include "plugins/solver_chen_han/propagation.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "common/solvers/bisector.hpp"
+#include "plugins/common/exact/bisector.hpp"
 
 namespace geodrome::chen_han {
 namespace {
@@ -19,7 +19,7 @@ bool is_close(const WindowArrays& w, double length) {
 
 }  // namespace
 
-Propagation::Propagation(const FlatSurface& surface, const Settings& settings)
+Propagation::Propagation(const PackedMesh& surface, const Settings& settings)
     : VertexPropagation(surface),
       settings_(settings),
       lanes_(&lanes(Simd::baseline)),

@@ -6,14 +6,14 @@
 #include <limits>
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "common/solvers/vertex_propagation.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/common/exact/vertex_propagation.hpp"
 #include "geodrome/shortest_path_solver.hpp"
-#include "solver_chen_han/apex.hpp"
-#include "solver_chen_han/kept_windows.hpp"
-#include "solver_chen_han/settings.hpp"
-#include "solver_chen_han/trimming.hpp"
-#include "solver_chen_han/wavefront.hpp"
+#include "plugins/solver_chen_han/apex.hpp"
+#include "plugins/solver_chen_han/kept_windows.hpp"
+#include "plugins/solver_chen_han/settings.hpp"
+#include "plugins/solver_chen_han/trimming.hpp"
+#include "plugins/solver_chen_han/wavefront.hpp"
 
 namespace geodrome::chen_han {
 
@@ -46,7 +46,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
     double x = 0, y = 0;
   };
 
-  Propagation(const FlatSurface& surface, const Settings& settings);
+  Propagation(const PackedMesh& surface, const Settings& settings);
 
   /// Forgets the last run. With `keep` all windows that are carried on are kept.
   void begin(bool keep, double limit);

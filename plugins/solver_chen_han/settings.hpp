@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_chen_han/lanes.hpp"
+#include "plugins/solver_chen_han/lanes.hpp"
 
 namespace geodrome::chen_han {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/trimming.hpp"
+#include "plugins/solver_chen_han/trimming.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "common/solvers/bisector.hpp"
+#include "plugins/common/exact/bisector.hpp"
 
 namespace geodrome::chen_han {
 namespace {

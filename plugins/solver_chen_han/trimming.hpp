@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver_chen_han/lanes.hpp"
-#include "solver_chen_han/windows.hpp"
+#include "plugins/solver_chen_han/lanes.hpp"
+#include "plugins/solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
 

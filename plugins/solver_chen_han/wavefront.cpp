@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "solver_chen_han/wavefront.hpp"
+#include "plugins/solver_chen_han/wavefront.hpp"
 
 #include <algorithm>
 #include <utility>
 
-#include "common/solvers/tolerances.hpp"
+#include "plugins/common/exact/tolerances.hpp"
 
 namespace geodrome::chen_han {
 namespace {

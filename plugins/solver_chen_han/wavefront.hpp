@@ -4,16 +4,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "common/solvers/indexed_heap.hpp"
-#include "solver_chen_han/window_store.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/common/mesh/indexed_heap.hpp"
+#include "plugins/solver_chen_han/window_store.hpp"
 
 namespace geodrome::chen_han {
 
 /// What waits: blocks of windows at half-edges and vertices that are to emit, in a queue, nearest first.
 class Wavefront {
  public:
-  explicit Wavefront(const FlatSurface& surface)
+  explicit Wavefront(const PackedMesh& surface)
       : surface_(surface),
         waiting_(3 * surface.face_count(), no_index),
         queue_(3 * surface.face_count() + surface.vertex_count()) {}
@@ -44,7 +44,7 @@ class Wavefront {
   std::size_t bytes() const { return store_.bytes() + queue_.bytes() + waiting_.capacity() * sizeof(Index); }
 
  private:
-  const FlatSurface& surface_;
+  const PackedMesh& surface_;
   std::vector<Index> waiting_;  ///< first block of each half-edge
   IndexedHeap queue_;           ///< half-edges, then vertices
   WindowStore store_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a propagation tells after a run.
-#include "solver_chen_han/path_tracer.hpp"
-#include "solver_chen_han/propagation.hpp"
+#include "plugins/solver_chen_han/path_tracer.hpp"
+#include "plugins/solver_chen_han/propagation.hpp"
 
 namespace geodrome::chen_han {
 

@@ -8,8 +8,8 @@
 #include <memory>
 #include <vector>
 
-#include "common/solvers/entry.hpp"
-#include "solver_chen_han/windows.hpp"
+#include "plugins/common/exact/entry.hpp"
+#include "plugins/solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_edge_dijkstra/edge_dijkstra.hpp"
+#include "plugins/solver_edge_dijkstra/edge_dijkstra.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,10 +7,10 @@
 #include <string>
 #include <utility>
 
-#include "common/solvers/query_points.hpp"
-#include "common/solvers/vertex_components.hpp"
-#include "solver_edge_dijkstra/edge_graph.hpp"
-#include "solver_edge_dijkstra/label_search.hpp"
+#include "plugins/common/requests/request_checks.hpp"
+#include "plugins/common/requests/source_components.hpp"
+#include "plugins/solver_edge_dijkstra/edge_graph.hpp"
+#include "plugins/solver_edge_dijkstra/label_search.hpp"
 
 namespace geodrome {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_edge_dijkstra/edge_graph.hpp"
+#include "plugins/solver_edge_dijkstra/edge_graph.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_edge_dijkstra/label_search.hpp"
+#include "plugins/solver_edge_dijkstra/label_search.hpp"
 
 #include <algorithm>
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geodrome/run_context.hpp"
-#include "solver_edge_dijkstra/edge_graph.hpp"
+#include "plugins/solver_edge_dijkstra/edge_graph.hpp"
 
 namespace geodrome {
 

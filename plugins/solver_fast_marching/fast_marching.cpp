@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-#include "solver_fast_marching/fast_marching.hpp"
+#include "plugins/solver_fast_marching/fast_marching.hpp"
 
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include "plugins/common/solvers/vertex_map.hpp"
-#include "solver_fast_marching/front.hpp"
+#include "plugins/common/requests/vertex_map.hpp"
+#include "plugins/solver_fast_marching/front.hpp"
 
 namespace geodrome {
 namespace {
 
 struct Prepared {
-  FlatSurface surface;
+  PackedMesh surface;
   Stencils stencils;
 
   explicit Prepared(MeshPtr mesh) : surface(std::move(mesh)), stencils(surface) {}
@@ -45,7 +45,7 @@ class FastMarchingSearch final : public Search {
   }
 
  private:
-  const FlatSurface& surface() const { return prepared_->surface; }
+  const PackedMesh& surface() const { return prepared_->surface; }
 
   /// Straight lines from the source to the corners of every face that holds it.
   void seed(const Source& source, Index number) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_fast_marching/front.hpp"
+#include "plugins/solver_fast_marching/front.hpp"
 
 #include <algorithm>
 #include <cmath>

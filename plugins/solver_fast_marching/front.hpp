@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "geodrome/run_context.hpp"
-#include "plugins/common/solvers/indexed_heap.hpp"
-#include "solver_fast_marching/stencils.hpp"
+#include "plugins/common/mesh/indexed_heap.hpp"
+#include "plugins/solver_fast_marching/stencils.hpp"
 
 namespace geodrome {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "plugins/common/solvers/flat_surface.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
 
 namespace geodrome {
 
@@ -25,7 +25,7 @@ struct PlacedVertex {
 /// A face seen from corner i: that corner at the origin, the next one on the x axis, the last one at y >= 0.
 struct SeenFace {
   PlacedVertex right, left;
-  SeenFace(const FlatSurface::Face& face, int i)
+  SeenFace(const PackedMesh::Face& face, int i)
       : right{face.vertex[(i + 1) % 3], {face.length[i], 0}},
         left{face.vertex[(i + 2) % 3],
              {face.length[(i + 2) % 3] * face.cosine[i], face.length[(i + 2) % 3] * face.sine[i]}} {}
@@ -41,7 +41,7 @@ class ObtuseSplit {
   static constexpr int most_unfolded = 64;
 
   /// The angle at corner `i` of `face` must be above pi / 2, and below pi.
-  static std::optional<PlacedVertex> find(const FlatSurface& surface, Index face, int i) {
+  static std::optional<PlacedVertex> find(const PackedMesh& surface, Index face, int i) {
     ObtuseSplit split(surface, face, i);
     for (int n = 0; n < most_unfolded && split.unfold(); ++n)
       if (split.found_) return split.found_;
@@ -49,7 +49,7 @@ class ObtuseSplit {
   }
 
  private:
-  ObtuseSplit(const FlatSurface& surface, Index face, int i)
+  ObtuseSplit(const PackedMesh& surface, Index face, int i)
       : surface_(surface), seen_(surface.face(face), i), right_(seen_.right.at), left_(seen_.left.at) {
     edge_ = 3 * face + static_cast<Index>((i + 1) % 3);
   }
@@ -66,7 +66,7 @@ class ObtuseSplit {
     });
     if (other == no_index) return false;
     const int k = static_cast<int>(other % 3);
-    const auto [x, y] = FlatSurface::apex(surface_.face_of(other), k);
+    const auto [x, y] = PackedMesh::apex(surface_.face_of(other), k);
     const Place ahead{edge.x / size, edge.y / size}, away{ahead.y, -ahead.x};
     const double along = from_right_ ? x : size - x;
     const Place apex{right_.x + along * ahead.x + y * away.x, right_.y + along * ahead.y + y * away.y};
@@ -89,7 +89,7 @@ class ObtuseSplit {
     return true;
   }
 
-  const FlatSurface& surface_;
+  const PackedMesh& surface_;
   SeenFace seen_;
   Place right_, left_;      // the ends of the present edge
   Index edge_;              // as a half-edge of the face laid out last

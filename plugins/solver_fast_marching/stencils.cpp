@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "solver_fast_marching/stencils.hpp"
+#include "plugins/solver_fast_marching/stencils.hpp"
 
 #include <algorithm>
 
-#include "solver_fast_marching/splitting.hpp"
+#include "plugins/solver_fast_marching/splitting.hpp"
 
 namespace geodrome {
 namespace {
@@ -25,8 +25,8 @@ Stencil stencil(Index target, const PlacedVertex& a, const PlacedVertex& b) {
 
 /// Calls `visit(from, stencil)` for all stencils that come from corner `i` of a face.
 template <class Visit>
-void for_each_stencil(const FlatSurface& surface, Index f, int i, Visit&& visit) {
-  const FlatSurface::Face& face = surface.face(f);
+void for_each_stencil(const PackedMesh& surface, Index f, int i, Visit&& visit) {
+  const PackedMesh::Face& face = surface.face(f);
   const SeenFace seen(face, i);
   const auto triangle = [&](const PlacedVertex& a, const PlacedVertex& b) {
     visit(a.vertex, stencil(face.vertex[i], a, b));
@@ -40,7 +40,7 @@ void for_each_stencil(const FlatSurface& surface, Index f, int i, Visit&& visit)
 
 }  // namespace
 
-Stencils::Stencils(const FlatSurface& surface) : first_(surface.vertex_count() + 1, 0) {
+Stencils::Stencils(const PackedMesh& surface) : first_(surface.vertex_count() + 1, 0) {
   std::vector<std::pair<Index, Stencil>> all;
   all.reserve(6 * surface.face_count());
   for (Index f = 0; f < surface.face_count(); ++f)

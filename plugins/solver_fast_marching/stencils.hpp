@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "plugins/common/solvers/flat_surface.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
 
 namespace geodrome {
 
@@ -25,7 +25,7 @@ struct Stencil {
 class Stencils {
  public:
   /// O(F), and at most `most_unfolded` faces for each obtuse corner.
-  explicit Stencils(const FlatSurface& surface);
+  explicit Stencils(const PackedMesh& surface);
 
   std::span<const Stencil> of(Index vertex) const {
     return {stencils_.data() + first_[vertex], stencils_.data() + first_[vertex + 1]};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver_heat/heat.hpp"
+#include "plugins/solver_heat/heat.hpp"
 
 #include <array>
 #include <cmath>
 #include <mutex>
 #include <utility>
 
-#include "common/solvers/vertex_map.hpp"
-#include "solver_heat/heat_system.hpp"
+#include "plugins/common/requests/vertex_map.hpp"
+#include "plugins/solver_heat/heat_system.hpp"
 
 namespace geodrome {
 namespace {

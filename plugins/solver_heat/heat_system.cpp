@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver_heat/heat_system.hpp"
+#include "plugins/solver_heat/heat_system.hpp"
 
 #define CGAL_EIGEN3_ENABLED
 
@@ -13,7 +13,7 @@
 #include <limits>
 #include <string>
 
-#include "common_gpl/guarded.hpp"
+#include "plugins/common_gpl/guarded.hpp"
 
 namespace geodrome {
 namespace {

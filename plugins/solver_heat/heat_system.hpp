@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "solver_heat/surface_parts.hpp"
+#include "plugins/solver_heat/surface_parts.hpp"
 
 namespace geodrome {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "solver_heat/surface_parts.hpp"
+#include "plugins/solver_heat/surface_parts.hpp"
 
 #include <algorithm>
 #include <cmath>

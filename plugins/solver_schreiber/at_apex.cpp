@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/solvers/bisector.hpp"
-#include "solver_schreiber/claimant.hpp"
-#include "solver_schreiber/propagation.hpp"
+#include "plugins/common/exact/bisector.hpp"
+#include "plugins/solver_schreiber/claimant.hpp"
+#include "plugins/solver_schreiber/propagation.hpp"
 
 namespace geodrome::schreiber {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/claimant.hpp"
+#include "plugins/solver_schreiber/claimant.hpp"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_schreiber/front.hpp"
+#include "plugins/solver_schreiber/front.hpp"
 
 namespace geodrome::schreiber {
 

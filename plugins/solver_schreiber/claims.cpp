@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/claims.hpp"
+#include "plugins/solver_schreiber/claims.hpp"
 
 #include <algorithm>
 
-#include "common/solvers/bisector.hpp"
+#include "plugins/common/exact/bisector.hpp"
 
 namespace geodrome::schreiber {
 

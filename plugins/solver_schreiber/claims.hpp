@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "solver_schreiber/generator.hpp"
+#include "plugins/solver_schreiber/generator.hpp"
 
 namespace geodrome::schreiber {
 

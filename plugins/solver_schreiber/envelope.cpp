@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/envelope.hpp"
+#include "plugins/solver_schreiber/envelope.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "common/solvers/bisector.hpp"
-#include "solver_schreiber/claims.hpp"
+#include "plugins/common/exact/bisector.hpp"
+#include "plugins/solver_schreiber/claims.hpp"
 
 namespace geodrome::schreiber {
 namespace {

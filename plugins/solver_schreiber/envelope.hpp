@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "solver_schreiber/generator.hpp"
-#include "solver_schreiber/sequence.hpp"
+#include "plugins/solver_schreiber/generator.hpp"
+#include "plugins/solver_schreiber/sequence.hpp"
 
 namespace geodrome::schreiber {
 

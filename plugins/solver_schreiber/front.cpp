@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/front.hpp"
+#include "plugins/solver_schreiber/front.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "common/solvers/bisector.hpp"
-#include "solver_schreiber/claims.hpp"
+#include "plugins/common/exact/bisector.hpp"
+#include "plugins/solver_schreiber/claims.hpp"
 
 namespace geodrome::schreiber {
 namespace {

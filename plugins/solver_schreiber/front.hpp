@@ -5,9 +5,9 @@
 #include <utility>
 #include <vector>
 
-#include "solver_schreiber/envelope.hpp"
-#include "solver_schreiber/generator.hpp"
-#include "solver_schreiber/sequence.hpp"
+#include "plugins/solver_schreiber/envelope.hpp"
+#include "plugins/solver_schreiber/generator.hpp"
+#include "plugins/solver_schreiber/sequence.hpp"
 
 namespace geodrome::schreiber {
 

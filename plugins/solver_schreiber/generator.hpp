@@ -6,9 +6,9 @@
 #include <limits>
 #include <tuple>
 
-#include "common/solvers/bisector.hpp"
+#include "plugins/common/exact/bisector.hpp"
 #include "geodrome/geometry.hpp"
-#include "solver_schreiber/motion.hpp"
+#include "plugins/solver_schreiber/motion.hpp"
 
 namespace geodrome::schreiber {
 

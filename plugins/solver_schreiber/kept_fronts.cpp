@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/kept_fronts.hpp"
+#include "plugins/solver_schreiber/kept_fronts.hpp"
 
 namespace geodrome::schreiber {
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "solver_schreiber/front.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/solver_schreiber/front.hpp"
 
 namespace geodrome::schreiber {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <array>
 
-#include "solver_schreiber/generator.hpp"
+#include "plugins/solver_schreiber/generator.hpp"
 
 namespace geodrome::schreiber {
 namespace {

@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "solver_schreiber/motion.hpp"
+#include "plugins/solver_schreiber/motion.hpp"
 
 namespace geodrome::schreiber {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/path_tracer.hpp"
+#include "plugins/solver_schreiber/path_tracer.hpp"
 
 #include <cmath>
 
-#include "common/solvers/tolerances.hpp"
-#include "solver_schreiber/claimant.hpp"
+#include "plugins/common/exact/tolerances.hpp"
+#include "plugins/solver_schreiber/claimant.hpp"
 
 namespace geodrome::schreiber {
 

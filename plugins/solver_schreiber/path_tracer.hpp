@@ -5,9 +5,9 @@
 #include <limits>
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "common/solvers/labels.hpp"
-#include "solver_schreiber/kept_fronts.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/common/mesh/labels.hpp"
+#include "plugins/solver_schreiber/kept_fronts.hpp"
 
 namespace geodrome::schreiber {
 
@@ -24,7 +24,7 @@ struct SeededFace {
 /// numbers.
 class PathTracer {
  public:
-  PathTracer(const FlatSurface& surface, const Labels<Step>& labels, const KeptFronts& kept,
+  PathTracer(const PackedMesh& surface, const Labels<Step>& labels, const KeptFronts& kept,
              const std::vector<SeededFace>& sources, std::vector<SurfacePoint>& out)
       : surface_(surface), labels_(labels), kept_(kept), sources_(sources), out_(out) {}
 
@@ -45,7 +45,7 @@ class PathTracer {
   void look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const;
   Onward shortest_over_corners(Index half_edge, double x) const;
 
-  const FlatSurface& surface_;
+  const PackedMesh& surface_;
   const Labels<Step>& labels_;
   const KeptFronts& kept_;
   const std::vector<SeededFace>& sources_;

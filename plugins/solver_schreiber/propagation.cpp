@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/propagation.hpp"
+#include "plugins/solver_schreiber/propagation.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <utility>
 
-#include "common/solvers/bisector.hpp"
-#include "solver_schreiber/claimant.hpp"
-#include "solver_schreiber/claims.hpp"
+#include "plugins/common/exact/bisector.hpp"
+#include "plugins/solver_schreiber/claimant.hpp"
+#include "plugins/solver_schreiber/claims.hpp"
 
 namespace geodrome::schreiber {
 namespace {
@@ -27,7 +27,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-Propagation::Propagation(const FlatSurface& surface, const Settings&)
+Propagation::Propagation(const PackedMesh& surface, const Settings&)
     : VertexPropagation(surface),
       editor_(pool_),
       waiting_(3 * surface.face_count(), surface.vertex_count()),

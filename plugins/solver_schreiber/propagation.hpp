@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "common/solvers/vertex_propagation.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/common/exact/vertex_propagation.hpp"
 #include "geodrome/shortest_path_solver.hpp"
-#include "solver_schreiber/front.hpp"
-#include "solver_schreiber/kept_fronts.hpp"
-#include "solver_schreiber/path_tracer.hpp"
-#include "solver_schreiber/waiting_fronts.hpp"
+#include "plugins/solver_schreiber/front.hpp"
+#include "plugins/solver_schreiber/kept_fronts.hpp"
+#include "plugins/solver_schreiber/path_tracer.hpp"
+#include "plugins/solver_schreiber/waiting_fronts.hpp"
 
 namespace geodrome::schreiber {
 
@@ -40,7 +40,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   using Settings = schreiber::Settings;
   using Way = KeptFronts::Way;
 
-  Propagation(const FlatSurface& surface, const Settings& settings);
+  Propagation(const PackedMesh& surface, const Settings& settings);
 
   /// Forgets the last run. With `keep` all fronts that are carried on are kept.
   void begin(bool keep, double limit);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "solver_schreiber/schreiber.hpp"
+#include "plugins/solver_schreiber/schreiber.hpp"
 
-#include "common/solvers/exact_prepared.hpp"
-#include "solver_schreiber/propagation.hpp"
+#include "plugins/common/exact/exact_prepared.hpp"
+#include "plugins/solver_schreiber/propagation.hpp"
 
 namespace geodrome {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "solver_schreiber/node_pool.hpp"
+#include "plugins/solver_schreiber/node_pool.hpp"
 
 namespace geodrome::schreiber {
 

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "common/solvers/entry.hpp"
-#include "common/solvers/indexed_heap.hpp"
-#include "solver_schreiber/front.hpp"
+#include "plugins/common/exact/entry.hpp"
+#include "plugins/common/mesh/indexed_heap.hpp"
+#include "plugins/solver_schreiber/front.hpp"
 
 namespace geodrome::schreiber {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a propagation tells after a run.
-#include "solver_schreiber/claimant.hpp"
-#include "solver_schreiber/path_tracer.hpp"
-#include "solver_schreiber/propagation.hpp"
+#include "plugins/solver_schreiber/claimant.hpp"
+#include "plugins/solver_schreiber/path_tracer.hpp"
+#include "plugins/solver_schreiber/propagation.hpp"
 
 namespace geodrome::schreiber {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "support/npy.hpp"
-#include "support/program.hpp"
+#include "tests/support/npy.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "support/input_files.hpp"
+#include "tests/support/input_files.hpp"
 
 namespace geodrome::testing {
 namespace {

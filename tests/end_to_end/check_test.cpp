@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "support/program.hpp"
-#include "support/samples.hpp"
+#include "tests/support/program.hpp"
+#include "tests/support/samples.hpp"
 
 namespace {
 

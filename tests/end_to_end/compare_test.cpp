@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "support/npy.hpp"
-#include "support/program.hpp"
+#include "tests/support/npy.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

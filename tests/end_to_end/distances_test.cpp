@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "support/npy.hpp"
-#include "support/program.hpp"
+#include "tests/support/npy.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include "support/program.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <thread>
 
-#include "support/program.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "support/npy.hpp"
+#include "tests/support/npy.hpp"
 
 namespace {
 

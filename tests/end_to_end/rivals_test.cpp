@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "support/program.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

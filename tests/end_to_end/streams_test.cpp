@@ -5,8 +5,8 @@
 
 #include <cstdlib>
 
-#include "support/npy.hpp"
-#include "support/program.hpp"
+#include "tests/support/npy.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "support/environment.hpp"
-#include "support/npy.hpp"
-#include "support/program.hpp"
+#include "tests/support/environment.hpp"
+#include "tests/support/npy.hpp"
+#include "tests/support/program.hpp"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 #include "geodrome/engine/input.hpp"
 #include "geodrome/errors.hpp"
-#include "support/temporary_folder.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace geodrome::testing {
 

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "support/program.hpp"
+#include "tests/support/program.hpp"
 
 namespace geodrome::testing {
 

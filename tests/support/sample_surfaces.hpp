@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geodrome/engine/pipeline.hpp"
-#include "support/meshes.hpp"
+#include "tests/support/meshes.hpp"
 
 /// What stages 1 to 4 would have given, put together by hand: for tests of what is told about it.
 namespace geodrome::test {
@@ -13,7 +13,7 @@ namespace geodrome::test {
 /// A cloud and the surface made from it.
 struct SampledSurface {
   Input input;
-  Surface surface;
+  PlacedSurface surface;
 };
 
 inline StageRecord record_of(const char* stage, const char* name, std::map<std::string, double> measures) {

@@ -9,7 +9,7 @@
 #include <queue>
 #include <vector>
 
-#include "tools/bench/torus_truth.hpp"
+#include "tools/bench/shapes/torus_truth.hpp"
 
 namespace geodrome::test {
 

@@ -2,8 +2,8 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.hpp"
-#include "console.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
 #include "engine/report/json.hpp"
 
 namespace geodrome::cli {

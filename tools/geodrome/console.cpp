@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "console.hpp"
+#include "tools/geodrome/console.hpp"
 
 #include <unistd.h>
 

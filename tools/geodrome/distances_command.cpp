@@ -3,8 +3,8 @@
 #include <limits>
 #include <memory>
 
-#include "commands.hpp"
-#include "console.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
 
 namespace geodrome::cli {
 
@@ -44,9 +44,9 @@ void add_distances(CLI::App& app, Action& action) {
   command.add_option("--max-distance", job.max_distance, "Farther is +inf (counted apart from unreachable)")
       ->check(number_from_to(0, std::numeric_limits<double>::infinity()))
       ->type_name("R");
-  add_choice<QueryRule>(
+  add_choice<ProjectionRule>(
       command, "--query", job.query,
-      {{"project", QueryRule::project}, {"insert", QueryRule::insert}, {"printed", QueryRule::printed}},
+      {{"project", ProjectionRule::project}, {"insert", ProjectionRule::insert}, {"printed", ProjectionRule::printed}},
       "Points off the surface: project (closest surface point, D = max(surface distance, |st|)), "
       "insert (each source becomes a vertex of a surface of its own; D is not symmetric), printed (as "
       "insert, targets as the paper prints it: wrong near the source, for comparison only)");

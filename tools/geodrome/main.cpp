@@ -7,7 +7,7 @@
 #include <iostream>
 #include <new>
 
-#include "commands.hpp"
+#include "tools/geodrome/commands.hpp"
 #include "geodrome/engine/boundary.hpp"
 #include "geodrome/engine/version.hpp"
 

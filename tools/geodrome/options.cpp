@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "commands.hpp"
+#include "tools/geodrome/commands.hpp"
 
 #include <charconv>
 #include <cmath>

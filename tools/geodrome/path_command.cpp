@@ -3,8 +3,8 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.hpp"
-#include "console.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
 
 namespace geodrome::cli {
 
@@ -38,7 +38,7 @@ void add_path(CLI::App& app, Action& action) {
   command.add_option("--from", job.from, entry)->required()->type_name("I");
   command.add_option("--to", job.to, entry)->required()->type_name("J");
   command.add_option("-o,--output", job.out, "The polyline: .obj, .csv or .json")->required()->type_name("FILE");
-  add_choice<QueryRule>(command, "--query", job.query, {{"project", QueryRule::project}, {"insert", QueryRule::insert}},
+  add_choice<ProjectionRule>(command, "--query", job.query, {{"project", ProjectionRule::project}, {"insert", ProjectionRule::insert}},
                         "project: between closest surface points; insert: FROM becomes a vertex of the surface");
   add_solver(command, job.settings.stages);
   add_sample_stages(command, job.settings.stages);

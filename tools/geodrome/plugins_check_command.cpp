@@ -6,7 +6,7 @@
 #include <memory>
 #include <semaphore>
 
-#include "commands.hpp"
+#include "tools/geodrome/commands.hpp"
 #include "engine/report/json.hpp"
 #include "geodrome/conformance.hpp"
 #include "geodrome/engine/plugin_host.hpp"

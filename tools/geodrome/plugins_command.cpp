@@ -5,7 +5,7 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.hpp"
+#include "tools/geodrome/commands.hpp"
 #include "engine/report/json.hpp"
 #include "geodrome/engine/plugin_host.hpp"
 

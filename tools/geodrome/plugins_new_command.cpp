@@ -4,7 +4,7 @@
 #include <memory>
 #include <sstream>
 
-#include "commands.hpp"
+#include "tools/geodrome/commands.hpp"
 #include "engine/host/installed.hpp"
 #include "geodrome/engine/input.hpp"
 #include "geodrome/plugin.hpp"

@@ -2,8 +2,8 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.hpp"
-#include "console.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
 
 namespace geodrome::cli {
 
@@ -16,13 +16,13 @@ constexpr const char* about_pairs =
     "Only solvers that provide pair_queries can do this ('geodrome plugins show NAME' tells).";
 
 struct Arguments {
-  QueryJob job;
+  PairJob job;
   bool quiet = false;
 };
 
 int run(const Arguments& arguments) {
   const JobReport report =
-      with_console(arguments.quiet, [&](Console& console) { return run_queries(arguments.job, console); });
+      with_console(arguments.quiet, [&](Console& console) { return run_pairs(arguments.job, console); });
   std::cout << report.summary;
   return tell_broken_promises(report.broken_promises, arguments.job.settings.stages.solver);
 }
@@ -31,7 +31,7 @@ int run(const Arguments& arguments) {
 
 void add_queries(CLI::App& app, Action& action) {
   auto arguments = std::make_shared<Arguments>();
-  QueryJob& job = arguments->job;
+  PairJob& job = arguments->job;
   CLI::App& command = *app.add_subcommand("queries", "Distances of many pairs of points, by a solver's pair oracle");
   command.footer(about_pairs);
   add_input(command, job.input);

@@ -3,8 +3,8 @@
 #include <limits>
 #include <memory>
 
-#include "commands.hpp"
-#include "engine/run/check_outputs.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "engine/jobs/check_outputs.hpp"
 #include "geodrome/engine/input.hpp"
 #include "tools/shapes/shapes.hpp"
 

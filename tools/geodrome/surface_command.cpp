@@ -2,10 +2,10 @@
 #include <iostream>
 #include <memory>
 
-#include "commands.hpp"
-#include "console.hpp"
-#include "engine/run/check_outputs.hpp"
-#include "engine/run/open_input.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
+#include "engine/jobs/check_outputs.hpp"
+#include "engine/surface/opened.hpp"
 #include "geodrome/engine/input.hpp"
 #include "geodrome/engine/pipeline.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/run/quarter.hpp"
+#include "engine/jobs/compare/quarter.hpp"
 #include "tools/shapes/surface_net.hpp"
 
 namespace geodrome::shapes {

@@ -7,5 +7,5 @@
 #include "geodrome/engine/jobs.hpp"
 #include "geodrome/engine/pipeline.hpp"
 #include "geodrome/engine/plugin_host.hpp"
-#include "geodrome/engine/selection.hpp"
+#include "geodrome/engine/named_points.hpp"
 #include "geodrome/engine/version.hpp"

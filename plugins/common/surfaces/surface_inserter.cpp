@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "geodrome/detail/closest_point_tree.hpp"
+#include "interfaces/internal/closest_point_tree.hpp"
 #include "plugins/common/surfaces/point_insertion.hpp"
 
 namespace geodrome {

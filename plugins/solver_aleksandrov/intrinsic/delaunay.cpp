@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/intrinsic/delaunay.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/delaunay.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {

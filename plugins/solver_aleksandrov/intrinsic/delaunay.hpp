@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "geodrome/run_context.hpp"
-#include "solver_aleksandrov/intrinsic/triangulation.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/triangulation.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/intrinsic/rearrangements.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/rearrangements.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {

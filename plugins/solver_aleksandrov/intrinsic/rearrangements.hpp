@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geodrome/geometry.hpp"
-#include "solver_aleksandrov/intrinsic/plane.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/plane.hpp"
 
 namespace geodrome::aleksandrov {
 

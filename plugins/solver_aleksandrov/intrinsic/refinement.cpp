@@ -4,7 +4,7 @@
 #include <numbers>
 #include <queue>
 
-#include "solver_aleksandrov/intrinsic/delaunay.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/delaunay.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/intrinsic/triangulation.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/triangulation.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 namespace geodrome::aleksandrov {
 
-IntrinsicTriangulation::IntrinsicTriangulation(const FlatSurface& surface, double tiny)
+IntrinsicTriangulation::IntrinsicTriangulation(const PackedMesh& surface, double tiny)
     : vertex_count_(static_cast<Index>(surface.vertex_count())), past_(static_cast<Index>(surface.face_count())) {
   const auto faces = static_cast<Index>(surface.face_count());
   faces_.reserve(faces);
   for (Index f = 0; f < faces; ++f) {
-    const FlatSurface::Face& from = surface.face(f);
+    const PackedMesh::Face& from = surface.face(f);
     Face& face = faces_.emplace_back();
     for (int i = 0; i < 3; ++i) {
       face.vertex[i] = from.vertex[i], face.length[i] = from.length[i];
@@ -26,7 +26,7 @@ IntrinsicTriangulation::IntrinsicTriangulation(const FlatSurface& surface, doubl
 }
 
 /// Rings in ascending order, ways as those of the lowest half-edge.
-void IntrinsicTriangulation::connect(const FlatSurface& surface) {
+void IntrinsicTriangulation::connect(const PackedMesh& surface) {
   next_on_edge_.resize(3 * faces_.size());
   forward_.assign(3 * faces_.size(), true);
   std::vector<std::pair<Index, bool>> ring;

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
-#include "common/solvers/flat_surface.hpp"
-#include "solver_aleksandrov/intrinsic/plane.hpp"
-#include "solver_aleksandrov/intrinsic/rearrangements.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/plane.hpp"
+#include "plugins/solver_aleksandrov/intrinsic/rearrangements.hpp"
 
 namespace geodrome::aleksandrov {
 
@@ -26,7 +26,7 @@ class IntrinsicTriangulation {
   };
 
   /// The mesh as it is, in the units of the flat surface. `tiny` > 0 is the length given to edges without one. O(F).
-  IntrinsicTriangulation(const FlatSurface& surface, double tiny);
+  IntrinsicTriangulation(const PackedMesh& surface, double tiny);
 
   Index face_count() const { return static_cast<Index>(faces_.size()); }
   Index vertex_count() const { return vertex_count_; }
@@ -74,7 +74,7 @@ class IntrinsicTriangulation {
     bool forward;
   };
 
-  void connect(const FlatSurface& surface);
+  void connect(const PackedMesh& surface);
   void lengthen(double tiny);
   void lay_out(Index f, const std::array<Index, 3>& vertex, const Triangle2& corners);
   void join(Index g, Index h);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/pairs/least_sum.hpp"
+#include "plugins/solver_aleksandrov/pairs/least_sum.hpp"
 
 #include <algorithm>
 #include <cstring>
 #include <limits>
 
-#include "solver_aleksandrov/processor_levels.hpp"
+#include "plugins/solver_aleksandrov/processor_levels.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/pairs/pair_index.hpp"
+#include "plugins/solver_aleksandrov/pairs/pair_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 #include <ostream>
 
 #include "plugins/common/parallel_for.hpp"
-#include "solver_aleksandrov/pairs/least_sum.hpp"
-#include "solver_aleksandrov/pairs/region_tree.hpp"
+#include "plugins/solver_aleksandrov/pairs/least_sum.hpp"
+#include "plugins/solver_aleksandrov/pairs/region_tree.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/pairs/pair_oracle.hpp"
+#include "plugins/solver_aleksandrov/pairs/pair_oracle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "common/solvers/query_points.hpp"
-#include "solver_aleksandrov/direct_way.hpp"
-#include "solver_aleksandrov/pairs/pair_index.hpp"
-#include "solver_chen_han/chen_han.hpp"
+#include "plugins/common/requests/request_checks.hpp"
+#include "plugins/solver_aleksandrov/direct_way.hpp"
+#include "plugins/solver_aleksandrov/pairs/pair_index.hpp"
+#include "plugins/solver_chen_han/chen_han.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
@@ -154,7 +154,7 @@ class IndexedPairs final : public PairOracle {
 
 std::unique_ptr<PairOracle> make_pair_oracle(std::shared_ptr<const Discretization> discretization, double delta,
                                              std::istream* saved, RunContext& context) {
-  const FlatSurface& surface = discretization->surface();
+  const PackedMesh& surface = discretization->surface();
   if (!surface.mesh().face_weights().empty())
     throw CapabilityError("pair queries on weighted surfaces are not supported",
                           "leave the weights out, or ask for distances from sources");

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "geodrome/shortest_path_solver.hpp"
-#include "solver_aleksandrov/discretization.hpp"
+#include "plugins/solver_aleksandrov/discretization.hpp"
 
 namespace geodrome::aleksandrov {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "solver_aleksandrov/pairs/region_tree.hpp"
+#include "plugins/solver_aleksandrov/pairs/region_tree.hpp"
 
 #include <metis.h>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/report/surface_facts.hpp"
+#include "engine/checks/surface_facts.hpp"
 #include "tools/conformance/sample/reconstructor_trial.hpp"
 
 namespace geodrome::conformance {

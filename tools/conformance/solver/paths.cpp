@@ -2,7 +2,7 @@
 // Paths: where they lead, and how long they are.
 #include <algorithm>
 
-#include "engine/report/common_face.hpp"
+#include "engine/surface/common_face.hpp"
 #include "tools/conformance/solver/solver_trial.hpp"
 
 namespace geodrome::conformance {

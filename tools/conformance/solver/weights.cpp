@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "engine/report/common_face.hpp"
+#include "engine/surface/common_face.hpp"
 #include "geodrome/engine/audit.hpp"
 #include "tools/conformance/solver/solver_trial.hpp"
 

@@ -11,7 +11,7 @@
 #include "geodrome/engine/matrix_file.hpp"
 #include "geodrome/engine/observer.hpp"
 #include "geodrome/engine/pipeline.hpp"
-#include "geodrome/engine/selection.hpp"
+#include "geodrome/engine/named_points.hpp"
 
 namespace geodrome {
 
@@ -22,14 +22,14 @@ namespace geodrome {
 /// of its own, targets are its closest points, D as above; better for near pairs and coarse samples, not symmetric.
 /// `printed`: the same surfaces, targets by lines 12 to 19 as printed, D unbounded below; for comparison only: it is 0
 /// where a target's nearest vertex is the source. The last two need a point sample and rows of it as sources.
-enum class QueryRule { project, insert, printed };
+enum class ProjectionRule { project, insert, printed };
 
 /// Distances from sources to targets: Algorithm 2. Paths that are empty are not written.
 struct DistanceJob {
   std::filesystem::path input;
   RunSettings settings;
   std::string sources = "all", targets = "all";  ///< see `select`
-  QueryRule query = QueryRule::project;
+  ProjectionRule query = ProjectionRule::project;
   double max_distance = std::numeric_limits<double>::infinity();  ///< farther is +inf
   ScalarType scalar = ScalarType::float64;
   std::filesystem::path matrix;   ///< .npy or .csv
@@ -56,7 +56,7 @@ JobReport run_distances(const DistanceJob& job, Observer& observer);
 
 /// Distances of many pairs of points, by the oracle of a solver that provides pair_queries. Points of a cloud lie at
 /// their closest surface points, D = max(surface distance, |st|).
-struct QueryJob {
+struct PairJob {
   std::filesystem::path input;
   RunSettings settings;
   std::filesystem::path pairs;   ///< a pair a line: see `select_pairs`
@@ -71,7 +71,7 @@ struct QueryJob {
 /// CapabilityError for another solver, InputError for pairs that cannot be read and for an index that is damaged or
 /// belongs to another mesh, solver, option or seed. Memory: the surface, the prepared solver, the oracle (twice while
 /// it is saved), and O(pairs).
-JobReport run_queries(const QueryJob& job, Observer& observer);
+JobReport run_pairs(const PairJob& job, Observer& observer);
 
 /// What a file holds; of points also what stages 1 to 4 make of it, unless `input_only`.
 struct CheckJob {
@@ -95,7 +95,7 @@ struct PathJob {
   std::filesystem::path input;
   RunSettings settings;
   std::string from, to;                  ///< one entry each, as `select` reads it
-  QueryRule query = QueryRule::project;  ///< not `printed`, whose minima are lengths of no path
+  ProjectionRule query = ProjectionRule::project;  ///< not `printed`, whose minima are lengths of no path
   std::filesystem::path out;
 };
 

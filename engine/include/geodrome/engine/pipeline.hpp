@@ -61,7 +61,7 @@ struct SampleStages {
 };
 
 /// A surface, and on it a place for every row of the input.
-struct Surface {
+struct PlacedSurface {
   InputKind made_from = InputKind::mesh;
   MeshPtr mesh;
   std::shared_ptr<const SurfaceLocator> locator;  ///< of a cloud's surface; null for a mesh, whose rows need none
@@ -75,14 +75,14 @@ struct Surface {
 /// What came of trying to make a surface. If a stage refused the sample, `surface` holds what was learned up to there:
 /// the results of the stages before it and the records up to its own, but neither mesh nor places.
 struct SurfaceAttempt {
-  Surface surface;
+  PlacedSurface surface;
   std::optional<SampleError> refusal;  ///< the elements of its findings are rows of the input
 };
 
 /// Lines 3 to 7 of Algorithm 2: stages 1 to 4 for a cloud; for a mesh, the mesh. Places follow the corrected query
 /// rule: the globally closest point of the surface. Errors: what the plugins throw, and PluginError for a result that
 /// breaks the interface. Complexity: that of the plugins, and O(n log F) for the places.
-Surface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
+PlacedSurface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
 
 /// As `make_surface`, but a SampleError is returned with what was learned, for the sample report.
 SurfaceAttempt try_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);

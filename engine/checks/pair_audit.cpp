@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "engine/checks/pair_audit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/search/distance_row.hpp"
+
+namespace geodrome {
+
+namespace {
+
+constexpr std::size_t audited_pairs = 3;
+
+/// Whether a search could tell the distance, and the factor is promised of it and of the oracle.
+bool can_be_judged(const PreparedSolver& solver, const NamedPair& pair) {
+  const bool from_vertex = pair.from.place.vertex != no_index, to_vertex = pair.to.place.vertex != no_index;
+  return (from_vertex || solver.provides(face_sources)) && (to_vertex || solver.provides(any_point)) &&
+         ((from_vertex && to_vertex) || solver.provides(factor_any_point));
+}
+
+std::vector<std::size_t> choose(const PreparedSolver& solver, std::span<const NamedPair> pairs,
+                                std::span<const double> values) {
+  std::vector<std::size_t> usable;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const bool reached = pairs[i].from.place.state == Place::State::on_surface && std::isfinite(values[i]);
+    if (reached && can_be_judged(solver, pairs[i])) usable.push_back(i);
+  }
+  if (usable.size() <= audited_pairs) return usable;
+  return {usable.front(), usable[usable.size() / 2], usable.back()};
+}
+
+double searched(const PreparedSolver& solver, Search& search, const NamedPair& pair, RunContext& context) {
+  const Source source{pair.from.place.at, 0};
+  const Request request{.targets = {&pair.to.place.at, 1}, .stop_at_targets = solver.provides(target_limit)};
+  const ShortestPathMap& map = run_search(solver, search, {&source, 1}, request, context);
+  return cross_boundary(solver.plugin.info, [&] { return map.at(pair.to.place.at).value; });
+}
+
+}  // namespace
+
+PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std::span<const NamedPair> pairs,
+                      std::span<const double> values, RunContext& context) {
+  const double factor = solver.plugin.factor;
+  PairAudit result;
+  if (!std::isfinite(factor)) {
+    result.not_audited = "the solver states no guarantee";
+    return result;
+  }
+  const std::vector<std::size_t> chosen = choose(solver, pairs, values);
+  result.pairs = chosen.size();
+  if (chosen.empty()) result.not_audited = "no pair of which the solver promises a factor is reached";
+  if (chosen.empty()) return result;
+  const auto search = make_search(solver);
+  // A distance is not known better than the coordinates are rounded.
+  double scale = 0, worst = 0;
+  for (const Vec3& p : mesh.positions()) scale = std::max({scale, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  for (const std::size_t i : chosen) {
+    const double found = searched(solver, *search, pairs[i], context);
+    const double violation = std::max(values[i] - factor * found, found - factor * values[i]);
+    scale = std::max(scale, values[i]);
+    if (violation > worst) worst = violation, result.worst_pair = i;
+  }
+  if (scale > 0) result.worst = worst / scale;
+  return result;
+}
+
+}  // namespace geodrome

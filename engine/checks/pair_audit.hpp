@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "engine/checks/invariants.hpp"
+#include "geodrome/engine/named_points.hpp"
+
+namespace geodrome {
+
+/// A few pairs of a job, searched for anew.
+struct PairAudit {
+  std::string not_audited;  ///< the reason, empty if it was
+  std::size_t pairs = 0;
+  /// The largest of D - factor S and S - factor D where S is what a search found, over the largest coordinate or
+  /// distance; at least 0. Both are at least the true distance and at most `factor` times that, so neither may be above
+  /// 0 by more than rounding.
+  double worst = 0;
+  std::size_t worst_pair = 0;
+
+  bool holds() const { return worst <= float64_tolerance; }
+};
+
+/// Searches by the same solver, without its oracle, for up to three pairs (the first, the middle, the last of those
+/// that are reached and of which a factor is promised). `values`: surface distances, one a pair. Throws what the solver
+/// throws.
+PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std::span<const NamedPair> pairs,
+                      std::span<const double> values, RunContext& context);
+
+}  // namespace geodrome

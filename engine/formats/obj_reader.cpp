@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <charconv>
+#include <string_view>
+
+#include "engine/formats/line_reader.hpp"
+#include "engine/formats/soup.hpp"
+
+// Wavefront OBJ: the records v and f. All other records are passed over; those that hold geometry are told.
+namespace geodrome::input {
+namespace {
+
+constexpr long long first_index = 1;  // OBJ counts from 1
+
+// "7", "7/2", "7//3", "7/2/3": the vertex, counted from 0. Negative numbers count back from the latest vertex.
+long long vertex_of_corner(const LineReader& lines, std::string_view word, std::size_t vertices_so_far) {
+  const std::string_view digits = word.substr(0, word.find('/'));
+  const char* const end = digits.data() + digits.size();
+  long long value = 0;
+  const auto [stop, error] = std::from_chars(digits.data(), end, value);
+  if (error != std::errc() || stop != end) lines.reject(InputFault::syntax, quoted(word) + " is no corner of a face");
+  if (value == 0) lines.reject(InputFault::index, "a face names vertex 0, but OBJ counts from 1");
+  return value > 0 ? value - first_index : static_cast<long long>(vertices_so_far) + value;
+}
+
+void read_face(const SourceFile& file, LineReader& lines, Soup& soup) {
+  for (std::string_view word = lines.word(); !word.empty(); word = lines.word()) {
+    const long long vertex = vertex_of_corner(lines, word, soup.positions.size());
+    // A face may stand before its vertices: how many there are is known at the end only.
+    if (vertex < 0 || vertex >= no_index)
+      checked_corner(file, soup.face_count(), vertex, soup.positions.size(), first_index);
+    soup.corners.push_back(static_cast<Index>(vertex));
+  }
+  soup.face_end.push_back(soup.corners.size());
+}
+
+void check_corners(const SourceFile& file, const Soup& soup) {
+  for (std::size_t f = 0; f < soup.face_count(); ++f)
+    for (const Index vertex : soup.face(f)) checked_corner(file, f, vertex, soup.positions.size(), first_index);
+}
+
+bool is_record_name(std::string_view word) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto rest = [&](char c) { return letter(c) || c == '_' || (c >= '0' && c <= '9'); };
+  return letter(word[0]) && std::all_of(word.begin(), word.end(), rest);
+}
+
+bool holds_geometry(std::string_view record) {
+  constexpr std::string_view names[] = {"l", "p", "curv", "curv2", "surf"};
+  return std::find(std::begin(names), std::end(names), record) != std::end(names);
+}
+
+}  // namespace
+
+Soup parse_obj(const SourceFile& file) {
+  Soup soup{.format = "obj"};
+  Finding ignored{Finding::Severity::warning, "ignored_records", "", 0, {}};
+  LineReader lines(file, {.comment = '#', .continued = true});
+  while (lines.next()) {
+    const std::string_view record = lines.word();
+    if (record == "v") {
+      soup.positions.push_back(lines.point());
+    } else if (record == "f") {
+      read_face(file, lines, soup);
+    } else if (holds_geometry(record)) {
+      ++ignored.count;
+    } else if (!is_record_name(record)) {
+      lines.reject(InputFault::syntax, quoted(record) + " is no record of OBJ");
+    }
+    if (soup.positions.size() >= no_index || soup.face_count() >= no_index)
+      lines.reject(InputFault::unsupported, "more vertices or faces than 32 bits count");
+  }
+  check_corners(file, soup);
+  ignored.message =
+      std::to_string(ignored.count) + " lines, points, curves or free-form surfaces of the OBJ file were not used.";
+  if (ignored.count > 0) soup.findings.push_back(std::move(ignored));
+  return soup;
+}
+
+}  // namespace geodrome::input

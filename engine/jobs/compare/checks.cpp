@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "engine/jobs/compare/checks.hpp"
+
+#include "engine/surface/face_weight.hpp"
+#include "engine/search/reach.hpp"
+#include "engine/checks/matrix_view.hpp"
+
+namespace geodrome {
+
+namespace {
+
+Invariants invariants_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
+  const PreparedSolver& solver = measured.solver;
+  const auto read = [&](std::uint64_t row) { return measured.rows[row]; };
+  return check_invariants(on.sources, on.targets.queries(), read,
+                          {.factor = solver.plugin.factor,
+                           .bounded = on.targets.bounded() || solver.provides(never_shorter),
+                           .smallest_weight = smallest_weight(*on.surface->mesh),
+                           .seed = seed});
+}
+
+InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) {
+  const SurfaceMesh& mesh = *on.surface->mesh;
+  const std::vector<Index> of_source = components_of(mesh, on.sources),
+                           of_target = components_of(mesh, on.targets.queries());
+  ReachCounts counts;
+  for (std::size_t i = 0; i < measured.rows.size(); ++i)
+    count_reach(measured.rows[i], of_source[i], of_target, false, counts);
+  InvariantCheck check;
+  check.violated = counts.missed + counts.impossible;
+  check.tested = counts.reached + counts.unreachable + check.violated;
+  return check;
+}
+
+/// For which of the queries the solver states its factor.
+std::vector<bool> stated_for(std::span<const NamedPoint> queries, const PreparedSolver& solver) {
+  std::vector<bool> stated;
+  for (const NamedPoint& query : queries)
+    stated.push_back(query.place.vertex != no_index || solver.provides(factor_any_point));
+  return stated;
+}
+
+}  // namespace
+
+std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
+  const Invariants invariants = invariants_of(on, measured, seed);
+  const bool weighted = !on.surface->mesh->face_weights().empty();
+  return {{"no NaN", invariants.computed},
+          {"D(s,s)", invariants.identity},
+          {weighted ? "D >= least weight x Euclid" : "D >= Euclid", invariants.euclid},
+          {"symmetry", invariants.symmetry},
+          {"triangle", invariants.triangle},
+          {"reach", reach_of(on, measured)}};
+}
+
+GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& true_rows,
+                              const ComparisonTruth& truth) {
+  GuaranteeTerms terms{.factor = measured.solver.plugin.factor,
+                       .never_shorter = measured.solver.provides(never_shorter),
+                       .exact_truth = truth.is_exact(),
+                       .of_source = stated_for(on.sources, measured.solver),
+                       .of_target = stated_for(on.targets.queries(), measured.solver),
+                       .tolerance = truth.tolerance()};
+  terms.scale = scale_of(true_rows, on.surface->mesh->positions(), smallest_weight(*on.surface->mesh));
+  return judge_guarantee(measured.rows, true_rows, terms);
+}
+
+}  // namespace geodrome

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+
+#include "engine/output/atomic_file.hpp"
+#include "engine/jobs/compare/page.hpp"
+#include "engine/jobs/compare/json.hpp"
+#include "engine/jobs/compare/text.hpp"
+#include "engine/jobs/check_outputs.hpp"
+#include "engine/jobs/compare/checks.hpp"
+#include "engine/jobs/compare/growth.hpp"
+#include "engine/jobs/compare/view.hpp"
+#include "engine/surface/opened.hpp"
+#include "geodrome/engine/jobs.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// Mistakes that would otherwise show after all is computed.
+void check_arguments(const CompareJob& job) {
+  check_ending(job.figures, {".json"});
+  check_ending(job.page, {".html"});
+  const std::string selections[] = {job.sources};
+  std::vector<std::filesystem::path> read = files_read(job.input, job.settings.read, selections);
+  if (auto file = truth_file(job.truth); !file.empty()) read.push_back(std::move(file));
+  const std::filesystem::path outputs[] = {job.figures, job.page};
+  check_outputs(outputs, read);
+}
+
+/// Times are comparable on one thread only.
+RunSettings on_one_thread(RunSettings settings) {
+  settings.threads = 1;
+  return settings;
+}
+
+/// The comparison of combinations on one input, as far as it has come.
+class Comparison {
+ public:
+  Comparison(const CompareJob& job, const PluginHost& host, const RunSettings& settings, const Input& input,
+             Observer& observer)
+      : job_(job),
+        host_(host),
+        settings_(settings),
+        input_(input),
+        observer_(observer),
+        surfaces_(input, host, settings, observer,
+                  [this](const PlacedSurface& surface) { return select(job_.sources, input_, surface); }),
+        truth_(job.truth, input, host, settings, observer),
+        growth_(job.growth, input, host, settings, observer),
+        view_(input, job.paths, settings.seed) {}
+
+  void add(const Combination& combination) {
+    CombinationFigures figures{.name = combination.name, .stages = choices_by_stage(combination.choice, input_.kind)};
+    std::shared_ptr<const PlacedSurface> surface;
+    attempt(figures, [&] { surface = surfaces_.make(combination.choice); });
+    if (surface) {
+      const auto on = surfaces_.placed(surface);  // what is wrong with the sources is wrong for all,
+      truth_.read_file(*on);                      // and what is wrong with the file
+      if (sources_.empty()) sources_ = on->sources;
+      attempt(figures, [&] { fill(figures, combination, on); });
+    }
+    if (!figures.ran() && !job_.page.empty()) view_.add_failed();
+    combinations_.push_back(std::move(figures));
+  }
+
+  ComparisonFigures figures() const {
+    ComparisonFigures result{.file = input_.file.string(),
+                             .kind = input_.kind,
+                             .rows = input_.element_of_row.size(),
+                             .faces = input_.triangles.size(),
+                             .diagonal = input_.facts.bounding_box_diagonal,
+                             .truth = truth_.figures(),
+                             .combinations = combinations_};
+    for (const NamedPoint& source : sources_) result.sources.push_back(told(source));
+    return result;
+  }
+
+  Json view() const { return view_.json(); }
+
+ private:
+  /// An error is the combination's own: the others go on.
+  template <class Function>
+  static void attempt(CombinationFigures& figures, Function&& function) {
+    try {
+      function();
+    } catch (const Cancelled&) {
+      throw;
+    } catch (const Error& error) {
+      figures.error = error.what();
+      figures.error_status = exit_status(error);
+    }
+  }
+
+  void fill(CombinationFigures& figures, const Combination& combination,
+            const std::shared_ptr<const ComparedSurface>& on) {
+    judge(figures, combination, *on);
+    figures.growth = growth_.of(combination, on, figures.cost);
+  }
+
+  void judge(CombinationFigures& figures, const Combination& combination, const ComparedSurface& on) {
+    const Measurement measured = measure(on, combination.choice.solver, host_, settings_, combination.name, observer_);
+    const DistanceRows& true_rows = truth_.rows(combination.name, on, measured.rows);
+    for (const StageRecord& stage : on.surface->stages)
+      figures.stage_seconds.emplace_back(stage.plugin.stage, stage.seconds);
+    figures.cost = measured.cost;
+    figures.factor = measured.solver.plugin.factor;
+    figures.never_shorter = measured.solver.provides(never_shorter);
+    figures.errors = compare_distances(measured.rows, true_rows);
+    figures.invariants = checks_of(on, measured, settings_.seed);
+    figures.guarantee = guarantee_of(on, measured, true_rows, truth_);
+    if (!job_.page.empty()) view_.add(on, measured, true_rows, observer_);
+  }
+
+  ComparedSource told(const NamedPoint& source) const {
+    if (source.row == no_index) return {source.label, std::nullopt, source.place.position};
+    const Index element = input_.element_of_row[source.row];  // its place is lost where it was dropped
+    return {source.label, source.row, element == no_index ? Vec3{} : input_.positions[element]};
+  }
+
+  const CompareJob& job_;
+  const PluginHost& host_;
+  const RunSettings& settings_;
+  const Input& input_;
+  Observer& observer_;
+  ComparedSurfaces surfaces_;
+  ComparisonTruth truth_;
+  ComparisonGrowth growth_;
+  ComparisonView view_;
+  std::vector<NamedPoint> sources_;  // on the first surface
+  std::vector<CombinationFigures> combinations_;
+};
+
+int first_error_status(const ComparisonFigures& figures) {
+  for (const CombinationFigures& combination : figures.combinations)
+    if (!combination.ran()) return combination.error_status;
+  return 0;
+}
+
+}  // namespace
+
+CompareReport run_compare(const CompareJob& job, Observer& observer) {
+  std::vector<VariedStage> varied;
+  for (const std::string& text : job.varied) varied.push_back(parse_varied_stage(text));
+  check_arguments(job);
+  const std::optional<ComparisonPage> page =
+      job.page.empty() ? std::nullopt : std::make_optional<ComparisonPage>(job.page_template);
+  const RunSettings settings = on_one_thread(job.settings);
+  const PluginHost host(settings.plugin_path);
+  const Input input = read_and_tell(job.input, settings, observer);
+  const std::vector<Combination> combinations = combinations_of(varied, settings.stages, input.kind);
+  Comparison comparison(job, host, settings, input, observer);
+  for (const Combination& combination : combinations) comparison.add(combination);
+
+  const ComparisonFigures figures = comparison.figures();
+  Json json = to_json(figures);
+  CompareReport report{text_of(json), text_of(figures), first_error_status(figures), broken_promises(figures)};
+  if (!job.figures.empty()) write_atomically(job.figures, report.json + "\n");
+  if (page) {
+    json["view"] = comparison.view();
+    write_atomically(job.page, page->with(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  }
+  return report;
+}
+
+}  // namespace geodrome

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "engine/jobs/compare/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "engine/formats/number_text.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// A name that is longer has a line of its own above its figures.
+constexpr std::size_t longest_name = 32;
+
+constexpr const char* nothing = "-";
+
+struct Column {
+  const char* head;
+  std::size_t width;
+  std::string (*cell)(const CombinationFigures&);
+};
+
+std::string number(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
+  return text;
+}
+
+std::string seconds(double value) { return number(value, 3); }
+
+std::string megabytes(const std::optional<std::uint64_t>& bytes) {
+  if (!bytes) return nothing;
+  const double value = static_cast<double>(*bytes) / 1e6;
+  return value < 1000 ? number(value, 3) : std::to_string(std::lround(value));
+}
+
+std::string mean_of(const ErrorSummary& summary) { return summary.compared > 0 ? number(summary.mean, 2) : nothing; }
+
+std::string max_of(const ErrorSummary& summary) { return summary.compared > 0 ? number(summary.max, 2) : nothing; }
+
+std::string guarantee_text(const CombinationFigures& combination) {
+  const GuaranteeFigures& guarantee = combination.guarantee;
+  const std::string stated = guarantee.stated ? number_text(*guarantee.stated) : "none";
+  if (guarantee.held == false) return stated + " BROKEN";
+  if (!guarantee.stated) return stated;
+  return stated + (guarantee.held ? " held" : " ?");
+}
+
+std::string invariants_text(const CombinationFigures& combination) {
+  std::string failing;
+  std::size_t more = 0;
+  for (const auto& [name, check] : combination.invariants) {
+    if (check.holds()) continue;
+    failing.empty() ? void(failing = name) : void(++more);
+  }
+  if (failing.empty()) return "ok";
+  return "NOT " + failing + (more > 0 ? " +" + std::to_string(more) : "");
+}
+
+constexpr Column columns[] = {
+    {"prepare", 9, [](const CombinationFigures& c) { return seconds(c.cost.prepare_seconds); }},
+    {"s/source", 9, [](const CombinationFigures& c) { return seconds(c.cost.median_seconds()); }},
+    {"peak MB", 8, [](const CombinationFigures& c) { return megabytes(c.cost.peak_bytes); }},
+    {"max err", 8, [](const CombinationFigures& c) { return max_of(c.errors.all); }},
+    {"mean", 8, [](const CombinationFigures& c) { return mean_of(c.errors.all); }},
+    {"near", 8, [](const CombinationFigures& c) { return mean_of(c.errors.near); }},
+    {"far", 8, [](const CombinationFigures& c) { return mean_of(c.errors.far); }},
+    {"guarantee", 11, guarantee_text},
+    {"invariants", 11, invariants_text},
+    {"no path", 8, [](const CombinationFigures& c) { return std::to_string(c.errors.unreachable); }}};
+
+std::string right(const std::string& text, std::size_t width) {
+  return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
+}
+
+/// The name as the first column; one that is too long ends its line.
+std::string first_column(const std::string& name, std::size_t width) {
+  if (name.size() <= width) return name + std::string(width - name.size(), ' ');
+  return name + "\n" + std::string(width, ' ');
+}
+
+std::size_t name_width(const ComparisonFigures& figures) {
+  std::size_t width = std::string_view("combination").size();
+  for (const CombinationFigures& combination : figures.combinations)
+    if (combination.name.size() <= longest_name) width = std::max(width, combination.name.size());
+  return width;
+}
+
+void print_table(const ComparisonFigures& figures, std::ostream& out) {
+  const std::size_t width = name_width(figures);
+  out << first_column("combination", width);
+  for (const Column& column : columns) out << right(column.head, column.width);
+  out << "\n";
+  for (const CombinationFigures& combination : figures.combinations) {
+    out << first_column(combination.name, width);
+    if (combination.ran())
+      for (const Column& column : columns) out << right(column.cell(combination), column.width);
+    else
+      out << " not run: " << combination.error;
+    out << "\n";
+  }
+}
+
+void print_notes(const ComparisonFigures& figures, std::ostream& out) {
+  out << "truth: " << figures.truth.text << "\n"
+      << "errors: |D/T - 1|; near: mean below " << near_share << " of the largest true distance, far: from "
+      << far_share << " on; times in seconds, on one thread\n";
+  for (const CombinationFigures& combination : figures.combinations) {
+    if (!combination.ran()) continue;
+    const auto note = [&](const std::string& text) { out << combination.name << ": " << text << "\n"; };
+    if (combination.errors.reach_differs > 0)
+      note(std::to_string(combination.errors.reach_differs) + " targets are reached by only one of it and the truth");
+    if (combination.errors.all.compared == 0) note("no target has both a distance and a true one above 0");
+    if (combination.guarantee.held == false) note("guarantee BROKEN: " + combination.guarantee.why);
+    for (const auto& [name, check] : combination.invariants)
+      if (!check.holds())
+        note(name + " FAILS " + std::to_string(check.violated) + " times of " + std::to_string(check.tested));
+  }
+}
+
+void print_growth(const ComparisonFigures& figures, std::ostream& out) {
+  const bool any = std::any_of(figures.combinations.begin(), figures.combinations.end(),
+                               [](const CombinationFigures& c) { return c.ran() && !c.growth.empty(); });
+  if (!any) return;
+  const std::size_t width = name_width(figures);
+  out << "\n" << first_column("growth", width);
+  for (const char* head : {"rows", "faces", "prepare s", "s/source", "peak MB"}) out << right(head, 11);
+  out << "\n";
+  for (const CombinationFigures& combination : figures.combinations)
+    for (const auto& [rows, cost] : combination.growth) {
+      out << first_column(combination.name, width);
+      for (const std::string& cell : {std::to_string(rows), std::to_string(cost.faces), seconds(cost.prepare_seconds),
+                                      seconds(cost.median_seconds()), megabytes(cost.peak_bytes)})
+        out << right(cell, 11);
+      out << "\n";
+    }
+}
+
+}  // namespace
+
+std::string text_of(const ComparisonFigures& figures) {
+  std::ostringstream out;
+  print_table(figures, out);
+  print_notes(figures, out);
+  print_growth(figures, out);
+  return out.str();
+}
+
+}  // namespace geodrome

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "engine/jobs/compare/truth.hpp"
+
+#include <cmath>
+
+namespace geodrome {
+
+namespace {
+
+constexpr std::string_view exact_prefix = "exact:";
+
+std::string shape(std::size_t rows, std::size_t columns) {
+  return "(" + std::to_string(rows) + ", " + std::to_string(columns) + ")";
+}
+
+void check_entries(const std::vector<double>& row, const std::string& file, std::uint64_t number) {
+  for (std::size_t j = 0; j < row.size(); ++j)
+    if (row[j] < 0)
+      throw InputError(InputFault::range,
+                       file + ": row " + std::to_string(number) + ", column " + std::to_string(j) + " is " +
+                           std::to_string(row[j]) + ", which is no distance",
+                       "distances are >= 0, inf for unreachable, nan for not computed");
+}
+
+std::uint64_t row_of_input(const NamedPoint& source, const std::string& file) {
+  if (source.row != no_index) return source.row;
+  throw InputError(InputFault::index,
+                   file + ": is a matrix of all pairs, which has no row for the source " + source.label,
+                   "name sources by their rows, or give one row per source");
+}
+
+}  // namespace
+
+std::filesystem::path truth_file(const std::string& truth) {
+  if (truth == "first" || truth == "exact") return {};
+  if (truth.starts_with(exact_prefix) && truth.size() > exact_prefix.size()) return {};
+  if (truth.ends_with(".npy")) return truth;
+  throw OptionError("--truth '" + truth + "' is none", "say first, exact, exact:SOLVER or FILE.npy");
+}
+
+DistanceRows rows_of_sources(NpyMatrix& matrix, const std::string& file, std::span<const NamedPoint> sources,
+                             std::size_t rows_of_input) {
+  const bool one_each = matrix.rows() == sources.size(), all_pairs = matrix.rows() == rows_of_input;
+  if (matrix.columns() != rows_of_input || !(one_each || all_pairs))
+    throw InputError(InputFault::unsupported,
+                     file + ": has shape " + matrix.shape_text() + ", but must have " +
+                         shape(sources.size(), rows_of_input) + " (sources x rows of the input) or " +
+                         shape(rows_of_input, rows_of_input),
+                     "give it the sources and the input that it was made with");
+  DistanceRows rows;
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    const std::uint64_t number = one_each ? i : row_of_input(sources[i], file);
+    rows.push_back(matrix.read(number));
+    check_entries(rows.back(), file, number);
+    if (!one_each)
+      for (double& distance : rows.back()) distance += sources[i].start;
+  }
+  return rows;
+}
+
+ComparisonTruth::ComparisonTruth(const std::string& truth, const Input& input, const PluginHost& host,
+                                 const RunSettings& settings, Observer& observer)
+    : input_(input), host_(host), settings_(settings), observer_(observer) {
+  if (const auto file = truth_file(truth); !file.empty()) {
+    kind_ = Kind::file, name_ = truth;
+    matrix_.emplace(file);
+  } else if (truth != "first") {
+    kind_ = Kind::exact;
+    name_ = truth == "exact" ? StageChoice().solver : truth.substr(exact_prefix.size());
+    if (host.load<ShortestPathSolver>(name_).factor != 1)
+      throw OptionError("--truth " + truth + ": that solver is not exact", "choose one with factor 1, as chen_han");
+  }
+}
+
+void ComparisonTruth::read_file(const ComparedSurface& on) {
+  if (matrix_ && !same_for_all_)
+    same_for_all_ = rows_of_sources(*matrix_, name_, on.sources, on.targets.queries().size());
+}
+
+const DistanceRows& ComparisonTruth::rows(const std::string& combination, const ComparedSurface& on,
+                                          const DistanceRows& own) {
+  if (kind_ == Kind::exact) {
+    DistanceRows& rows = of_surface_[on.surface.get()];
+    if (rows.empty()) rows = measure(on, name_, host_, settings_, "truth", observer_).rows;
+    return rows;
+  }
+  if (!same_for_all_ && kind_ == Kind::first) same_for_all_ = own, name_ = combination;
+  return *same_for_all_;
+}
+
+bool ComparisonTruth::is_exact() const {
+  return kind_ == Kind::exact || (kind_ == Kind::file && input_.kind == InputKind::mesh);
+}
+
+double ComparisonTruth::tolerance() const {
+  return matrix_ && matrix_->scalar() == ScalarType::float32 ? float32_tolerance : float64_tolerance;
+}
+
+TruthFigures ComparisonTruth::figures() const {
+  switch (kind_) {
+    case Kind::exact:
+      return {"exact", name_, "The exact distances by " + name_ + " on the surface of each combination."};
+    case Kind::file:
+      return {"file", name_, "The distances in " + name_ + "."};
+    default:
+      return {"first", name_,
+              name_.empty() ? "None: no combination ran."
+                            : "The distances of " + name_ + ", the first combination that ran."};
+  }
+}
+
+}  // namespace geodrome

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+
+#include "engine/formats/source_file.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/report/json.hpp"
+#include "engine/jobs/check_outputs.hpp"
+#include "engine/search/projection_rule.hpp"
+#include "engine/jobs/distances/report.hpp"
+#include "engine/host/stage_context.hpp"
+#include "geodrome/engine/version.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// What tells two lists of points apart: their places and start distances.
+std::string digest(std::span<const NamedPoint> queries) {
+  std::string bytes;
+  const auto append = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (const NamedPoint& query : queries) {
+    append(query.place.state);
+    append(query.place.at.face);
+    for (const double b : query.place.at.b) append(b);
+    append(query.place.position.x), append(query.place.position.y), append(query.place.position.z);
+    append(query.place.vertex), append(query.start), append(query.row);
+  }
+  return std::to_string(queries.size()) + " points, " + input::content_hash(bytes);
+}
+
+Json chosen(const StageRecord& record) {
+  Json json{{"plugin", record.plugin.full_name()}};
+  for (const auto& [name, value] : record.options.all()) json[name] = value;
+  return json;
+}
+
+/// Two runs that share this text make the same matrix, byte for byte.
+std::string fingerprint(const DistanceJob& job, const Opened& opened, const PreparedSolver& solver,
+                        std::span<const NamedPoint> sources, std::span<const NamedPoint> targets) {
+  Json json{{"geodrome", version()}, {"input", opened.input.hash}};
+  const ReadOptions& read = job.settings.read;
+  json["as"] = opened.input.kind == InputKind::mesh ? "mesh" : "points";
+  json["weld"] = read.weld, json["drop_nonfinite"] = read.drop_nonfinite;
+  json["weights"] = opened.input.weights.empty() ? "none" : opened.input.weights_hash;
+  for (const StageRecord& stage : opened.surface.stages) json[stage.plugin.stage] = chosen(stage);
+  json["solver"] = chosen(solver.record);
+  json["query"] = name(job.query), json["max_distance"] = to_json(job.max_distance);
+  json["sources"] = digest(sources), json["targets"] = digest(targets);
+  json["dtype"] = job.scalar == ScalarType::float64 ? "float64" : "float32";
+  json["seed"] = job.settings.seed;
+  return json.dump();
+}
+
+/// Mistakes that would otherwise show after hours.
+void check_arguments(const DistanceJob& job) {
+  if (job.matrix.empty() && job.nearest.empty())
+    throw OptionError("nothing to write", "name an output: -o FILE or --nearest FILE");
+  if (!job.nearest.empty() && job.query != ProjectionRule::project)
+    throw OptionError("--nearest searches one surface from all sources, --query " + std::string(name(job.query)) +
+                          " has one for each of them",
+                      "leave --query out");
+  if (!(job.max_distance >= 0)) throw OptionError("the largest distance must be a number >= 0");
+  if (!(job.audit_share >= 0 && job.audit_share <= 1)) throw OptionError("the audit's share must be from 0 to 1");
+  if (job.resume && job.matrix.empty()) throw OptionError("--resume goes on with a matrix", "name it with -o FILE");
+  check_ending(job.matrix, {".npy", ".csv"});
+  check_ending(job.nearest, {".csv"});
+  check_ending(job.report, {".json"});
+  check_mesh_ending(job.surface, job.settings.read);
+  const std::filesystem::path outputs[] = {job.matrix, job.nearest, job.report, job.surface};
+  const std::string selections[] = {job.sources, job.targets};
+  check_outputs(outputs, files_read(job.input, job.settings.read, selections));
+}
+
+}  // namespace
+
+JobReport run_distances(const DistanceJob& job, Observer& observer) {
+  const Stopwatch total;
+  check_arguments(job);
+  const PluginHost host(job.settings.plugin_path);
+  const Opened opened = try_open(job.input, host, job.settings, observer);
+  if (opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, opened) + "\n");
+  throw_if_refused(opened, job.settings, observer);
+  const std::vector<NamedPoint> sources = select(job.sources, opened.input, opened.surface);
+  check_rule(job.query, opened, sources);
+  const SourceSurfaces surfaces(job.query, opened, select(job.targets, opened.input, opened.surface));
+  const TargetList& targets = surfaces.targets();
+  const PreparedSolver solver =
+      prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
+  const bool are_vertices = job.query != ProjectionRule::project;
+  check_provides(solver, are_vertices ? std::span<const NamedPoint>{} : sources, targets.queries(), job.max_distance);
+
+  RunRecord record{job, opened, solver, sources.size(), targets.queries().size()};
+  if (!job.nearest.empty()) {
+    StageContext context("nearest", observer, 1, job.settings.seed);
+    record.nearest = find_nearest(solver, sources, targets, job.max_distance, context);
+  }
+  if (!job.matrix.empty())
+    record.matrix = compute_matrix(job, solver, surfaces, sources,
+                                   fingerprint(job, opened, solver, sources, targets.queries()), observer);
+  StageContext context("audit", observer, 1, job.settings.seed);
+  record.audit = audit_sources(solver, surfaces, sources, job.audit_share, job.settings.seed, context);
+  record.total_seconds = total.seconds();
+
+  if (record.nearest) write_atomically(job.nearest, record.nearest->csv);
+  if (!job.surface.empty()) write_mesh(job.surface, *opened.surface.mesh);
+  JobReport report = write_report(record);
+  if (!job.report.empty()) write_atomically(job.report, report.json + "\n");
+  return report;
+}
+
+}  // namespace geodrome

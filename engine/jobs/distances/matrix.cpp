@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: MIT
+#include "engine/jobs/distances/matrix.hpp"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdio>
+
+#include "engine/surface/face_weight.hpp"
+#include "engine/search/counter_sum.hpp"
+#include "engine/search/parallel_rows.hpp"
+#include "engine/checks/matrix_view.hpp"
+#include "engine/host/stage_context.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// Above this size a matrix is computed only with consent.
+constexpr std::uint64_t consent_bytes = 4'000'000'000;
+
+std::string printed(const char* format, double value) {
+  char buffer[64];
+  std::snprintf(buffer, sizeof buffer, format, value);
+  return buffer;
+}
+
+std::string size_text(std::uint64_t bytes) {
+  const auto value = static_cast<double>(bytes);
+  if (value >= 1e9) return printed("%.2f GB", value / 1e9);
+  return value >= 1e6 ? printed("%.1f MB", value / 1e6) : printed("%.1f kB", value / 1e3);
+}
+
+std::string time_text(double seconds) {
+  if (seconds < 1) return "under a second";
+  if (seconds < 120) return printed("about %.0f s", seconds);
+  return seconds < 7200 ? printed("about %.0f min", seconds / 60) : printed("about %.1f h", seconds / 3600);
+}
+
+/// The computation of single rows, the same for the first and for all others.
+class RowMaker {
+ public:
+  RowMaker(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
+           std::span<const NamedPoint> sources, Observer& observer)
+      : job_(job),
+        solver_(solver),
+        surfaces_(surfaces),
+        sources_(sources),
+        quiet_(observer),
+        context_(ShortestPathSolver::stage, quiet_, 1, job.settings.seed) {}
+
+  /// `search`: on the reconstruction.
+  void make(Search& search, std::uint64_t i, std::span<double> row) {
+    const SourceSurface on = surfaces_.of(sources_[i]);
+    if (sources_[i].place.state == Place::State::on_surface) ++insertions_[static_cast<std::size_t>(on.how)];
+    if (on.mesh == surfaces_.reconstruction()) return measure(solver_, search, on, row);
+    const PreparedSolver own = prepared_on(solver_, on.mesh, context_);
+    measure(own, *make_search(own), on, row);
+  }
+
+  std::map<std::string, std::uint64_t> counters() const { return counters_.sums(); }
+
+  std::map<std::string, std::uint64_t> insertions() const {
+    if (surfaces_.rule() == ProjectionRule::project) return {};
+    constexpr const char* names[] = {"existing", "cavity", "partial", "extended"};  // as Insertion
+    std::map<std::string, std::uint64_t> counts;
+    for (std::size_t how = 0; how < insertions_.size(); ++how) counts[names[how]] = insertions_[how];
+    return counts;
+  }
+
+ private:
+  void measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row) {
+    const auto counters = distance_row(solver, search, on.source, *on.targets, job_.max_distance, context_, row);
+    if (!counters.empty()) counters_.add(solver_, counters);
+  }
+
+  /// Progress is told per row, not within one.
+  class WithoutProgress final : public Observer {
+   public:
+    explicit WithoutProgress(Observer& observer) : observer_(observer) {}
+    void log(LogLevel level, std::string_view message) override { observer_.log(level, message); }
+    bool cancelled() const noexcept override { return observer_.cancelled(); }
+
+   private:
+    Observer& observer_;
+  };
+
+  const DistanceJob& job_;
+  const PreparedSolver& solver_;
+  const SourceSurfaces& surfaces_;
+  std::span<const NamedPoint> sources_;
+  WithoutProgress quiet_;
+  StageContext context_;
+  CounterSum counters_;
+  std::array<std::atomic<std::uint64_t>, 4> insertions_{};
+};
+
+void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t missing, double row_seconds,
+               unsigned threads, Observer& observer) {
+  const double seconds = row_seconds * static_cast<double>(missing) / threads;
+  observer.log(LogLevel::info, "matrix: " + std::to_string(spec.rows) + " x " + std::to_string(spec.columns) + " " +
+                                   (spec.scalar == ScalarType::float64 ? "float64" : "float32") + ", " +
+                                   size_text(bytes) + "; " + std::to_string(missing) +
+                                   (missing == 1 ? " row" : " rows") + " to compute, " + time_text(seconds) + " on " +
+                                   std::to_string(threads) + (threads == 1 ? " thread" : " threads"));
+}
+
+/// Rows still missing, each once, over all threads.
+void compute_rows(const std::vector<std::uint64_t>& missing, MatrixFile& file, RowMaker& maker,
+                  const PreparedSolver& solver, std::size_t columns, unsigned threads, std::uint64_t seed,
+                  Observer& observer) {
+  StageContext context("distances", observer, threads, seed);
+  std::atomic<std::uint64_t> done = 0;
+  const auto make_worker = [&]() -> RowWorker {
+    std::shared_ptr<Search> search = make_search(solver);
+    return [&, search, row = std::vector<double>(columns)](std::uint64_t k) mutable {
+      maker.make(*search, missing[k], row);
+      file.write(missing[k], row);
+      context.progress(static_cast<double>(++done) / static_cast<double>(missing.size()));
+    };
+  };
+  run_rows(missing.size(), threads, make_worker, context);
+}
+
+std::vector<std::uint64_t> missing_rows(const MatrixFile& file, std::uint64_t rows) {
+  std::vector<std::uint64_t> missing;
+  for (std::uint64_t i = 0; i < rows; ++i)
+    if (!file.has(i)) missing.push_back(i);
+  return missing;
+}
+
+Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
+                            const MatrixFile& file, std::span<const NamedPoint> sources, const TargetList& targets) {
+  const auto read = [&](std::uint64_t row) { return file.read(row); };
+  return check_invariants(
+      sources, targets.queries(), read,
+      {.factor = solver.plugin.factor,
+       .one_surface = job.query == ProjectionRule::project,
+       .bounded = job.query != ProjectionRule::printed && (targets.bounded() || solver.provides(never_shorter)),
+       .smallest_weight = smallest_weight(mesh),
+       .float32 = job.scalar == ScalarType::float32,
+       .radius = job.max_distance,
+       .seed = job.settings.seed});
+}
+
+/// Reads the whole matrix once more, as it stands on disk, resumed rows included.
+ReachCounts count_reaches(const DistanceJob& job, const SourceSurfaces& surfaces, const MatrixFile& file,
+                          std::span<const NamedPoint> sources) {
+  const SurfaceMesh& mesh = *surfaces.reconstruction();
+  const std::vector<Index> of_source = components_of(mesh, sources),
+                           of_target = components_of(mesh, surfaces.targets().queries());
+  // An insertion leaves the components as they are, but beside it a target's closest point may change to another one.
+  const std::vector<Index> all = vertex_components(mesh);
+  const bool may_change =
+      surfaces.rule() != ProjectionRule::project && std::ranges::adjacent_find(all, std::not_equal_to{}) != all.end();
+  ReachCounts counts;
+  const bool limited = std::isfinite(job.max_distance);
+  for (std::uint64_t i = 0; i < sources.size(); ++i) {
+    if (!may_change) {
+      count_reach(file.read(i), of_source[i], of_target, limited, counts);
+      continue;
+    }
+    const SourceSurface on = surfaces.of(sources[i]);
+    count_reach(file.read(i), components_of(*on.mesh, {&on.source, 1})[0],
+                components_of(*on.mesh, on.targets->queries()), limited, counts);
+  }
+  return counts;
+}
+
+}  // namespace
+
+MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
+                            std::span<const NamedPoint> sources, const std::string& fingerprint, Observer& observer) {
+  const std::span<const NamedPoint> targets = surfaces.targets().queries();
+  const MatrixFile::Spec spec{job.matrix, sources.size(), targets.size(), job.scalar, fingerprint};
+  const unsigned threads = thread_count(job.settings);
+  MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = MatrixFile::bytes(spec)};
+  RowMaker maker(job, solver, surfaces, sources, observer);
+
+  const Stopwatch first;
+  std::vector<double> row(spec.columns);
+  maker.make(*make_search(solver), 0, row);
+  result.first_row_seconds = first.seconds();
+  if (result.bytes > consent_bytes && !job.yes) {
+    tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
+    throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes),
+                       "say --yes, ask for fewer sources or targets, or store float32");
+  }
+  MatrixFile file = MatrixFile::open(spec, job.resume);
+  result.resumed_rows = file.rows_done();
+  if (!file.has(0)) file.write(0, row);
+  const std::vector<std::uint64_t> missing = missing_rows(file, spec.rows);
+  tell_plan(spec, result.bytes, missing.size(), result.first_row_seconds, threads, observer);
+
+  const Stopwatch watch;
+  try {
+    compute_rows(missing, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
+  } catch (const Cancelled&) {
+    observer.log(LogLevel::info, job.matrix.string() + ".partial holds " + std::to_string(file.rows_done()) + " of " +
+                                     std::to_string(spec.rows) + " rows: --resume goes on with it");
+    throw;
+  }
+  result.seconds = watch.seconds() + result.first_row_seconds;
+  result.counters = maker.counters();
+  result.insertions = maker.insertions();
+  result.reach = count_reaches(job, surfaces, file, sources);
+  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
+  file.finish();
+  return result;
+}
+
+}  // namespace geodrome

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: MIT
+#include "engine/jobs/distances/report.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "engine/search/projection_rule.hpp"
+#include "engine/report/provenance.hpp"
+
+namespace geodrome {
+
+namespace {
+
+using geodrome::to_json;  // the overloads below would hide them
+
+Json to_json(const InvariantCheck& check) {
+  Json json{
+      {"holds", check.holds()}, {"promised", check.expected}, {"tested", check.tested}, {"violated", check.violated}};
+  if (check.tested > 0)
+    json.update(Json{
+        {"worst", to_json(check.worst)}, {"tolerance", check.tolerance}, {"row", check.row}, {"column", check.column}});
+  return json;
+}
+
+Json to_json(const MatrixResult& matrix) {
+  Json json{{"rows", matrix.rows},       {"columns", matrix.columns},
+            {"bytes", matrix.bytes},     {"resumed_rows", matrix.resumed_rows},
+            {"seconds", matrix.seconds}, {"first_row_seconds", matrix.first_row_seconds}};
+  json["reach"] = {{"reached", matrix.reach.reached},         {"beyond_limit", matrix.reach.beyond_limit},
+                   {"unreachable", matrix.reach.unreachable}, {"not_computed", matrix.reach.not_computed},
+                   {"missed", matrix.reach.missed},           {"impossible", matrix.reach.impossible}};
+  json["counters"] = Json::object();
+  for (const auto& [name, value] : matrix.counters) json["counters"][name] = value;
+  if (!matrix.insertions.empty()) json["insertions"] = matrix.insertions;
+  const Invariants& i = matrix.invariants;
+  json["invariants"] = {{"sampled_rows", i.rows},
+                        {"scale", to_json(i.scale)},
+                        {"computed", to_json(i.computed)},
+                        {"distance_to_itself", to_json(i.identity)},
+                        {"not_below_euclid", to_json(i.euclid)},
+                        {"symmetry", to_json(i.symmetry)},
+                        {"triangle_inequality", to_json(i.triangle)}};
+  return json;
+}
+
+Json to_json(const NearestResult& nearest) {
+  return {{"reached", nearest.reached},
+          {"beyond_limit", nearest.beyond_limit},
+          {"unreachable", nearest.unreachable},
+          {"dropped", nearest.dropped},
+          {"seconds", nearest.seconds}};
+}
+
+Json to_json(const AuditSummary& audit) {
+  if (!audit.not_audited.empty()) return {{"audited", false}, {"because", audit.not_audited}};
+  const AuditResult& worst = audit.worst;
+  return {{"audited", true},
+          {"sources", audit.sources},
+          {"faces", worst.faces},
+          {"pairs", worst.pairs},
+          {"paths", worst.paths},
+          {"scale", to_json(worst.scale)},
+          {"worst_lipschitz", to_json(worst.worst_lipschitz)},
+          {"worst_path", to_json(worst.worst_path)},
+          {"where", worst.where},
+          {"seconds", audit.seconds}};
+}
+
+/// Violations beyond this share of the largest distance are no rounding: an exact solver's stay below 1e-11, and a
+/// wavefront that is lost, or a path that is not shortest, shows by far more.
+constexpr double audit_tolerance = 1e-9;
+
+bool is_weighted(const RunRecord& record) { return !record.opened.input.weights.empty(); }
+
+/// What the checks found that may not be, one line each.
+std::vector<std::string> broken_promises(const RunRecord& record) {
+  std::vector<std::string> broken;
+  const auto demand = [&](bool holds, std::string what) {
+    if (!holds) broken.push_back(std::move(what));
+  };
+  if (record.matrix) {
+    const ReachCounts& reach = record.matrix->reach;
+    demand(reach.missed == 0, std::to_string(reach.missed) + " distances within a component are inf");
+    demand(reach.impossible == 0, std::to_string(reach.impossible) + " distances between components are numbers");
+    const Invariants& i = record.matrix->invariants;
+    const char* least = is_weighted(record) ? "the smallest weight times " : "";
+    demand(i.computed.holds(), std::to_string(i.computed.violated) + " distances are nan");
+    demand(i.identity.holds(), std::to_string(i.identity.violated) + " points are not at distance 0 from themselves");
+    demand(i.euclid.holds(),
+           std::to_string(i.euclid.violated) + " distances are shorter than " + least + "the straight line");
+    demand(i.symmetry.holds(), std::to_string(i.symmetry.violated) + " pairs have two distances");
+    demand(i.triangle.holds(), std::to_string(i.triangle.violated) + " triples break the triangle inequality");
+  }
+  const AuditResult& audit = record.audit.worst;
+  demand(std::max(audit.worst_lipschitz, audit.worst_path) <= audit_tolerance, "the audit failed: " + audit.where);
+  return broken;
+}
+
+Json settings_of(const DistanceJob& job) {
+  Json json = settings_json(job.settings);
+  json["query"] = name(job.query), json["max_distance"] = to_json(job.max_distance);
+  if (!caveat(job.query).empty()) json["query_caveat"] = caveat(job.query);
+  return json;
+}
+
+Json run_json(const RunRecord& record) {
+  Json json = settings_of(record.job);
+  json["sources"] = record.source_count, json["targets"] = record.target_count;
+  if (record.matrix)
+    json["output"] = record.job.matrix.string(),
+    json["dtype"] = record.job.scalar == ScalarType::float64 ? "float64" : "float32";
+  return json;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+/// The invariants that rule and solver promise, and those that they do not.
+std::string promised_by(const RunRecord& record) {
+  const Invariants& i = record.matrix->invariants;
+  std::vector<std::string> promised, others;
+  const auto add = [&](bool expected, const char* what) { (expected ? promised : others).push_back(what); };
+  add(i.euclid.expected, is_weighted(record) ? "D >= smallest weight x Euclid" : "D >= Euclid");
+  promised.push_back("D(s,s)");
+  add(i.symmetry.expected, "symmetry");
+  add(i.triangle.expected, "triangle inequality");
+  promised.push_back("reach");
+  if (others.empty()) return joined(promised);
+  return joined(promised) + "; not promised by " +
+         (record.job.query == ProjectionRule::project ? record.solver.plugin.info.full_name()
+                                                 : "--query " + std::string(name(record.job.query))) +
+         ": " + joined(others);
+}
+
+void summarize_matrix(const RunRecord& record, std::ostream& out) {
+  const DistanceJob& job = record.job;
+  const MatrixResult& m = *record.matrix;
+  out << "matrix     " << job.matrix.string() << ": " << m.rows << " x " << m.columns << " in " << m.seconds << " s; "
+      << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
+      << m.reach.not_computed << " not computed\n";
+  const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
+  out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(record) << ")\n";
+}
+
+void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
+  out.precision(4);
+  summarize_provenance(record.opened.input, surface, record.solver, out);
+  if (record.matrix) summarize_matrix(record, out);
+  if (record.nearest)
+    out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
+        << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "
+        << record.nearest->seconds << " s\n";
+  const AuditSummary& audit = record.audit;
+  if (audit.not_audited.empty())
+    out << "audit      " << audit.worst.faces << " faces, " << audit.worst.paths << " paths: worst violation "
+        << std::max(audit.worst.worst_lipschitz, audit.worst.worst_path) << " of the largest distance\n";
+  else
+    out << "audit      not audited: " << audit.not_audited << "\n";
+  if (sample) print_short(*sample, out);
+}
+
+}  // namespace
+
+JobReport write_report(const RunRecord& record) {
+  const Opened& opened = record.opened;
+  const auto sample = sample_report_of(opened, record.solver.plugin.factor, record.job.settings.seed);
+  const SurfaceFacts facts = sample ? *sample->surface : facts_of(*opened.surface.mesh);
+  Json json{{"geodrome", run_json(record)}};
+  add_provenance(json, opened, sample, facts, record.solver);
+  if (record.matrix) json["matrix"] = to_json(*record.matrix);
+  if (record.nearest) json["nearest"] = to_json(*record.nearest);
+  json["audit"] = to_json(record.audit);
+  const std::vector<std::string> broken = broken_promises(record);
+  json["broken_promises"] = broken;
+  json["timings"] = {{"read", opened.read_seconds},
+                     {"surface", opened.surface_seconds},
+                     {"prepare", record.solver.record.seconds},
+                     {"total", record.total_seconds}};
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  std::ostringstream summary;
+  summarize(record, facts, sample ? &*sample : nullptr, summary);
+  return {text_of(json), summary.str(), broken};
+}
+
+std::string refusal_report(const DistanceJob& job, const Opened& opened) {
+  return refusal_report(settings_of(job), opened, job.settings.seed);
+}
+
+}  // namespace geodrome

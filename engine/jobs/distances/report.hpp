@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <optional>
+
+#include "engine/jobs/distances/matrix.hpp"
+#include "engine/search/nearest.hpp"
+#include "engine/surface/opened.hpp"
+#include "engine/checks/surface_audit.hpp"
+#include "geodrome/engine/jobs.hpp"
+
+namespace geodrome {
+
+/// All that a distance job learned, from which its report is written.
+struct RunRecord {
+  const DistanceJob& job;
+  const Opened& opened;
+  const PreparedSolver& solver;
+  std::size_t source_count = 0, target_count = 0;
+  std::optional<MatrixResult> matrix;
+  std::optional<NearestResult> nearest;
+  AuditSummary audit;
+  double total_seconds = 0;
+};
+
+/// The report as JSON and as a few lines for people.
+JobReport write_report(const RunRecord& record);
+
+/// The report of a job whose sample was refused, as JSON: what is known up to there.
+std::string refusal_report(const DistanceJob& job, const Opened& opened);
+
+}  // namespace geodrome

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "engine/jobs/pairs/distances.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "engine/checks/invariants.hpp"
+#include "engine/search/parallel_rows.hpp"
+#include "engine/host/stage_context.hpp"
+
+namespace geodrome {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+
+/// Pairs that a thread takes at once: a query may take less time than taking it.
+constexpr std::size_t block = 256;
+
+bool on_surface(const NamedPair& pair) {
+  return pair.from.place.state == Place::State::on_surface && pair.to.place.state == Place::State::on_surface;
+}
+
+/// The surface distance; `number` of the pair from 0. To be called inside `cross_boundary`.
+double surface_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number) {
+  const Place &from = pair.from.place, &to = pair.to.place;
+  if (from.state == Place::State::dropped || to.state == Place::State::dropped) return not_computed;
+  // A vertex that no face uses is reached only by itself.
+  if (!on_surface(pair)) return from.state == to.state && from.vertex == to.vertex ? 0 : infinity;
+  const double value = oracle.distance(from.at, to.at);
+  if (value >= 0) return value;
+  throw NumericalError("computed " + std::to_string(value) + " as the distance of pair " + std::to_string(number) +
+                           " (" + pair.from.label + ", " + pair.to.label + ")",
+                       "choose another solver, and report this to the author of the plugin");
+}
+
+void ask(const PreparedSolver& solver, const PairOracle& oracle, std::span<const NamedPair> pairs, unsigned threads,
+         RunContext& context, PairDistances& result) {
+  const std::uint64_t blocks = (pairs.size() + block - 1) / block;
+  result.threads = static_cast<unsigned>(std::clamp<std::uint64_t>(blocks, 1, std::max(threads, 1u)));
+  result.values.resize(pairs.size());
+  result.asked = static_cast<std::uint64_t>(std::ranges::count_if(pairs, on_surface));
+  std::atomic<std::uint64_t> done = 0;
+  const auto answer = [&](std::uint64_t number) {
+    const std::size_t begin = number * block, end = std::min(begin + block, pairs.size());
+    cross_boundary(solver.plugin.info, [&] {
+      for (std::size_t i = begin; i < end; ++i) result.values[i] = surface_distance(oracle, pairs[i], i);
+    });
+    context.progress(static_cast<double>(++done) / static_cast<double>(blocks));
+  };
+  const Stopwatch watch;
+  run_rows(
+      blocks, threads, [&] { return RowWorker(answer); }, context);
+  result.seconds = watch.seconds();
+}
+
+/// Coordinates count too: a distance is not known better than they are rounded.
+double scale_of(const SurfaceMesh& mesh, std::span<const double> values) {
+  double scale = 0;
+  for (const double value : values)
+    if (std::isfinite(value)) scale = std::max(scale, value);
+  for (const Vec3& p : mesh.positions()) scale = std::max({scale, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  return scale;
+}
+
+void check(const SurfaceMesh& mesh, bool never_below, std::span<const NamedPair> pairs, PairDistances& result) {
+  const std::vector<Index> of_vertex = vertex_components(mesh);
+  const double slack = float64_tolerance * scale_of(mesh, result.values);
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const Place &from = pairs[i].from.place, &to = pairs[i].to.place;
+    const double value = result.values[i];
+    const Index target = component_of(mesh, of_vertex, to);
+    count_reach({&value, 1}, component_of(mesh, of_vertex, from), {&target, 1}, false, result.reach);
+    if (!on_surface(pairs[i]) || !std::isfinite(value)) continue;
+    // A weight below 1 may make the way shorter than the straight line.
+    const bool bounded = never_below && mesh.face_weights().empty();
+    if (bounded && value < distance(mesh.position(from.at), mesh.position(to.at)) - slack) ++result.below_euclid;
+    if (from.at == to.at && value > slack) ++result.not_zero;
+  }
+}
+
+}  // namespace
+
+PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver& solver, const PairOracle& oracle,
+                             std::span<const NamedPair> pairs, unsigned threads, RunContext& context) {
+  PairDistances result;
+  ask(solver, oracle, pairs, threads, context, result);
+  check(*surface.mesh, solver.provides(never_shorter), pairs, result);
+  result.audit = audit_pairs(*surface.mesh, solver, pairs, result.values, context);
+  if (surface.made_from == InputKind::points)
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      double& value = result.values[i];
+      if (!std::isnan(value))
+        value = std::max(value, distance(pairs[i].from.place.position, pairs[i].to.place.position));
+    }
+  return result;
+}
+
+}  // namespace geodrome

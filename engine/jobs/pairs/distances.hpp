@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/search/reach.hpp"
+#include "engine/checks/pair_audit.hpp"
+#include "geodrome/engine/named_points.hpp"
+
+namespace geodrome {
+
+/// The distances of pairs, and what was checked of them.
+struct PairDistances {
+  std::vector<double> values;  ///< one a pair; +inf: unreachable, NaN: an end was dropped
+  ReachCounts reach;           ///< `beyond_limit` is none
+  std::uint64_t asked = 0;     ///< of the oracle; the others have a dropped or isolated end
+  std::uint64_t below_euclid = 0,
+                not_zero = 0;  ///< faults: shorter than the straight line; points away from themselves
+  PairAudit audit;
+  double seconds = 0;    ///< wall clock, of all queries
+  unsigned threads = 1;  ///< that took part
+
+  /// Of one query, on one thread; 0 if there was none.
+  double microseconds() const { return asked == 0 ? 0 : seconds * 1e6 * threads / static_cast<double>(asked); }
+  bool sound() const {
+    return reach.missed == 0 && reach.impossible == 0 && below_euclid == 0 && not_zero == 0 && audit.holds();
+  }
+};
+
+/// Asks `oracle`, which `solver` made of the surface, for all pairs, over at most `threads` threads; the values are the
+/// same bytes for any number. Of a cloud D = max(surface distance, |st|), as everywhere. The checks are made on surface
+/// distances, with the tolerance of `check_invariants`, and a few pairs are searched for anew. Throws NumericalError,
+/// naming pair and plugin, for what is no number >= 0, Cancelled, and what the plugin throws.
+PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver& solver, const PairOracle& oracle,
+                             std::span<const NamedPair> pairs, unsigned threads, RunContext& context);
+
+}  // namespace geodrome

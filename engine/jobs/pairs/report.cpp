@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "engine/jobs/pairs/report.hpp"
+
+#include <sstream>
+
+#include "engine/report/provenance.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// What the checks found that may not be, one line each.
+std::vector<std::string> broken_promises(const PairDistances& distances) {
+  std::vector<std::string> broken;
+  const auto demand_none = [&](std::uint64_t count, const char* what) {
+    if (count > 0) broken.push_back(std::to_string(count) + " distances " + what);
+  };
+  demand_none(distances.reach.missed, "within a component are inf");
+  demand_none(distances.reach.impossible, "between components are numbers");
+  demand_none(distances.below_euclid, "are shorter than the straight line");
+  demand_none(distances.not_zero, "of points from themselves are not 0");
+  if (!distances.audit.holds())
+    broken.push_back("the audit failed: pair " + std::to_string(distances.audit.worst_pair) +
+                     " and a search for it differ by more than the factor allows");
+  return broken;
+}
+
+Json oracle_json(const PairRecord& record) {
+  const ReadyOracle& oracle = record.oracle;
+  Json json{{"origin", oracle.was_read ? "read" : "built"}, {"seconds", oracle.seconds}};
+  if (!record.job.index.empty()) json["index"] = record.job.index.string();
+  if (oracle.was_saved) json["save_seconds"] = oracle.save_seconds;
+  if (oracle.was_read || oracle.was_saved) json["index_bytes"] = oracle.index_bytes;
+  return json;
+}
+
+Json pairs_json(const PairRecord& record) {
+  const PairDistances& d = record.distances;
+  return {{"file", record.job.pairs.string()},
+          {"hash", record.list.hash},
+          {"count", d.values.size()},
+          {"asked_of_the_oracle", d.asked},
+          {"reached", d.reach.reached},
+          {"unreachable", d.reach.unreachable},
+          {"not_computed", d.reach.not_computed},
+          {"missed", d.reach.missed},
+          {"impossible", d.reach.impossible},
+          {"below_euclid", d.below_euclid},
+          {"not_zero", d.not_zero},
+          {"seconds", d.seconds},
+          {"threads", d.threads},
+          {"microseconds_per_query", d.microseconds()}};
+}
+
+Json audit_json(const PairAudit& audit) {
+  if (!audit.not_audited.empty()) return {{"audited", false}, {"because", audit.not_audited}};
+  return {{"audited", true}, {"pairs", audit.pairs}, {"worst", to_json(audit.worst)}, {"worst_pair", audit.worst_pair}};
+}
+
+void summarize_oracle(const PairJob& job, const ReadyOracle& oracle, std::ostream& out) {
+  out << "oracle     ";
+  if (oracle.was_read)
+    out << "read from " << job.index.string() << " in " << oracle.seconds << " s: " << oracle.index_bytes << " bytes\n";
+  else if (oracle.was_saved)
+    out << "built in " << oracle.seconds << " s, saved to " << job.index.string() << ": " << oracle.index_bytes
+        << " bytes\n";
+  else
+    out << "built in " << oracle.seconds << " s, not saved\n";
+}
+
+void summarize_pairs(const PairJob& job, const PairDistances& d, std::ostream& out) {
+  out << "pairs      " << job.out.string() << ": " << d.values.size() << " in " << d.seconds << " s, "
+      << d.microseconds() << " us a query; " << d.reach.unreachable << " unreachable, " << d.reach.not_computed
+      << " not computed\n";
+  out << "invariants " << (d.sound() ? "hold" : "VIOLATED") << " (D >= Euclid, D(s,s), reach)\n";
+  if (d.audit.not_audited.empty())
+    out << "audit      " << d.audit.pairs << " pairs searched for anew: worst violation of the factor " << d.audit.worst
+        << "\n";
+  else
+    out << "audit      not audited: " << d.audit.not_audited << "\n";
+}
+
+std::string summary_of(const PairRecord& record, const SurfaceFacts& surface, const SampleReport* sample) {
+  std::ostringstream out;
+  out.precision(4);
+  summarize_provenance(record.opened.input, surface, record.solver, out);
+  summarize_oracle(record.job, record.oracle, out);
+  summarize_pairs(record.job, record.distances, out);
+  if (sample) print_short(*sample, out);
+  return out.str();
+}
+
+}  // namespace
+
+JobReport write_report(const PairRecord& record) {
+  const Opened& opened = record.opened;
+  const auto sample = sample_report_of(opened, record.solver.plugin.factor, record.job.settings.seed);
+  const SurfaceFacts facts = sample ? *sample->surface : facts_of(*opened.surface.mesh);
+  Json json{{"geodrome", settings_json(record.job.settings)}};
+  json["geodrome"]["output"] = record.job.out.string();
+  add_provenance(json, opened, sample, facts, record.solver);
+  json["oracle"] = oracle_json(record);
+  json["pairs"] = pairs_json(record);
+  json["audit"] = audit_json(record.distances.audit);
+  const std::vector<std::string> broken = broken_promises(record.distances);
+  json["broken_promises"] = broken;
+  json["timings"] = {{"read", opened.read_seconds},
+                     {"surface", opened.surface_seconds},
+                     {"prepare", record.solver.record.seconds},
+                     {"oracle", record.oracle.seconds},
+                     {"queries", record.distances.seconds},
+                     {"total", record.total_seconds}};
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  return {text_of(json), summary_of(record, facts, sample ? &*sample : nullptr), broken};
+}
+
+std::string refusal_report(const PairJob& job, const Opened& opened) {
+  return refusal_report(settings_json(job.settings), opened, job.settings.seed);
+}
+
+}  // namespace geodrome

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include "engine/report/provenance.hpp"
+
+#include <sys/resource.h>
+
+#include <cmath>
+#include <ostream>
+
+#include "engine/report/weights_text.hpp"
+#include "geodrome/engine/version.hpp"
+
+namespace geodrome {
+
+namespace {
+
+Json stages_json(const std::vector<StageRecord>& stages) {
+  Json json = Json::array();
+  for (const StageRecord& stage : stages) json.push_back(to_json(stage));
+  return json;
+}
+
+void summarize_surface(const Input& input, const SurfaceFacts& surface, std::ostream& out) {
+  out << "input      " << input.file.string() << ": " << input.facts.rows
+      << (input.kind == InputKind::mesh ? " vertices" : " points") << "\n";
+  if (!input.weights.empty()) out << "weights    " << weights_text(input) << "\n";
+  out << "surface    " << surface.vertices << " vertices, " << surface.faces << " faces, "
+      << (surface.closed ? "closed" : "bordered") << ", " << surface.components
+      << (surface.components == 1 ? " component" : " components");
+  if (surface.genus) out << ", genus " << *surface.genus;
+  out << "\n";
+}
+
+void summarize_solver(const PreparedSolver& solver, std::ostream& out) {
+  out << "solver     " << solver.plugin.info.full_name() << ", ";
+  if (solver.plugin.factor == 1)
+    out << "exact\n";
+  else if (std::isinf(solver.plugin.factor))
+    out << "no stated guarantee\n";
+  else
+    out << "at most " << solver.plugin.factor << " times the distance\n";
+}
+
+}  // namespace
+
+std::uint64_t peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+}
+
+Json settings_json(const RunSettings& settings) {
+  return {{"version", version()},
+          {"interface_version", interface_version},
+          {"build", build_tag},
+          {"seed", settings.seed},
+          {"threads", thread_count(settings)}};
+}
+
+std::optional<SampleReport> sample_report_of(const Opened& opened, double factor, std::uint64_t seed) {
+  if (!opened.surface.sample) return std::nullopt;
+  return make_sample_report(opened.input, opened.surface, nullptr, factor, seed);
+}
+
+void add_provenance(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,
+                    const SurfaceFacts& surface, const PreparedSolver& solver) {
+  json["input"] = to_json(opened.input), json["surface"] = to_json(surface);
+  if (sample) json.update(to_json(*sample));
+  json["surface"]["findings"] = to_json(opened.surface.findings);
+  json["stages"] = stages_json(opened.surface.stages);
+  json["stages"].push_back(to_json(solver.record));
+  json["solver_factor"] = to_json(solver.plugin.factor);
+}
+
+std::string refusal_report(const Json& settings, const Opened& opened, std::uint64_t seed) {
+  Json json{{"geodrome", settings}, {"input", to_json(opened.input)}};
+  json.update(to_json(make_sample_report(opened.input, opened.surface, &*opened.refusal, std::nullopt, seed)));
+  json["stages"] = stages_json(opened.surface.stages);
+  json["timings"] = {{"read", opened.read_seconds}, {"surface", opened.surface_seconds}};
+  json["peak_memory_bytes"] = peak_memory_bytes();
+  return text_of(json);
+}
+
+void summarize_provenance(const Input& input, const SurfaceFacts& surface, const PreparedSolver& solver,
+                          std::ostream& out) {
+  summarize_surface(input, surface, out);
+  summarize_solver(solver, out);
+}
+
+}  // namespace geodrome

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "engine/search/projection_rule.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace geodrome {
+
+std::string_view name(ProjectionRule rule) {
+  switch (rule) {
+    case ProjectionRule::insert:
+      return "insert";
+    case ProjectionRule::printed:
+      return "printed";
+    default:
+      return "project";
+  }
+}
+
+std::string_view caveat(ProjectionRule rule) {
+  switch (rule) {
+    case ProjectionRule::insert:
+      return "every source has a surface of its own: symmetry and the triangle inequality are not promised";
+    case ProjectionRule::printed:
+      return "for comparison only: the rule as the paper prints it gives 0 where a target's nearest vertex is the "
+             "source, and distances below the straight line; neither D >= Euclid, nor symmetry, nor the triangle "
+             "inequality is promised";
+    default:
+      return {};
+  }
+}
+
+void check_rule(ProjectionRule rule, const Opened& opened, std::span<const NamedPoint> sources) {
+  if (rule == ProjectionRule::project) return;
+  const std::string option = "--query " + std::string(name(rule));
+  if (opened.input.kind == InputKind::mesh)
+    throw OptionError(option + " is for point samples: every row of a mesh is a vertex of the surface already",
+                      "leave --query out, or take the vertices as points with --as points");
+  if (std::ranges::any_of(sources, [](const NamedPoint& source) { return source.row == no_index; }))
+    throw OptionError(option + " inserts points of the sample, and a source names a place that is none",
+                      "name sources by their rows, or leave --query out");
+  if (!opened.surface.inserter)
+    throw CapabilityError(opened.surface.stages.back().plugin.full_name() + " cannot insert points into its surface, " +
+                              "which " + option + " needs",
+                          "choose another reconstructor, or leave --query out");
+}
+
+}  // namespace geodrome

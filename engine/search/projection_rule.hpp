@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "engine/surface/opened.hpp"
+#include "geodrome/engine/jobs.hpp"
+
+namespace geodrome {
+
+/// "project", "insert", "printed": how options and reports name it.
+std::string_view name(ProjectionRule rule);
+
+/// What distances of this rule do not promise, in one sentence for the report; empty for `project`.
+std::string_view caveat(ProjectionRule rule);
+
+/// Throws OptionError if the rule means nothing for this input or these sources, CapabilityError, naming the
+/// reconstructor, if that cannot insert points.
+void check_rule(ProjectionRule rule, const Opened& opened, std::span<const NamedPoint> sources);
+
+}  // namespace geodrome

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "geodrome/engine/named_points.hpp"
+#include "geodrome/vertex_components.hpp"
+
+namespace geodrome {
+
+/// How the entries of a matrix are to be read.
+struct ReachCounts {
+  std::uint64_t reached = 0, beyond_limit = 0, unreachable = 0, not_computed = 0;
+  /// Faults of a solver: +inf within a component though no limit was set, and a number across components.
+  std::uint64_t missed = 0, impossible = 0;
+};
+
+/// The component of the surface that a place lies in, by those of the vertices; a dropped one is in none.
+inline Index component_of(const SurfaceMesh& mesh, std::span<const Index> of_vertex, const Place& place) {
+  if (place.state == Place::State::dropped) return no_index;
+  const bool isolated = place.state == Place::State::isolated;
+  return of_vertex[isolated ? place.vertex : mesh.triangles()[place.at.face][0]];
+}
+
+/// The component of each query, as `vertex_components` names it.
+inline std::vector<Index> components_of(const SurfaceMesh& mesh, std::span<const NamedPoint> queries) {
+  const std::vector<Index> of_vertex = vertex_components(mesh);
+  std::vector<Index> components;
+  for (const NamedPoint& query : queries) components.push_back(component_of(mesh, of_vertex, query.place));
+  return components;
+}
+
+/// Adds one row: distances from a source in component `source` to targets in `components`.
+inline void count_reach(std::span<const double> row, Index source, std::span<const Index> components, bool limited,
+                        ReachCounts& counts) {
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    const bool joined = source == components[j];
+    if (std::isnan(row[j]))
+      ++counts.not_computed;
+    else if (std::isfinite(row[j]))
+      ++(joined ? counts.reached : counts.impossible);
+    else if (!joined)
+      ++counts.unreachable;
+    else
+      ++(limited ? counts.beyond_limit : counts.missed);
+  }
+}
+
+}  // namespace geodrome

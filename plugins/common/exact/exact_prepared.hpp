@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "plugins/common/exact/propagation_search.hpp"
+
+namespace geodrome {
+
+/// A mesh made ready for searches with a `Propagation` (PropagationSearch says what that is).
+template <class Propagation>
+class ExactPrepared final : public PreparedSurface {
+ public:
+  using Settings = typename Propagation::Settings;
+
+  /// O(F log F). Throws CapabilityError for a mesh of 2^30 half-edges or more.
+  ExactPrepared(MeshPtr mesh, const Settings& settings)
+      : surface_(std::make_shared<const PackedMesh>(std::move(mesh))), settings_(settings) {}
+
+  std::unique_ptr<Search> make_search() const override {
+    return std::make_unique<PropagationSearch<Propagation>>(surface_, settings_);
+  }
+  std::size_t bytes() const override { return surface_->bytes(); }
+
+ private:
+  std::shared_ptr<const PackedMesh> surface_;
+  Settings settings_;
+};
+
+/// ShortestPathSolver::prepare of an exact solver. Throws CapabilityError for face weights as well.
+template <class Propagation>
+std::unique_ptr<PreparedSurface> prepare_exact(MeshPtr mesh, const typename Propagation::Settings& settings,
+                                               RunContext& context) {
+  context.throw_if_cancelled();
+  if (!mesh->face_weights().empty())
+    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  return std::make_unique<ExactPrepared<Propagation>>(std::move(mesh), settings);
+}
+
+}  // namespace geodrome

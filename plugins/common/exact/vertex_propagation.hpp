@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "geodrome/run_context.hpp"
+#include "geodrome/shortest_path_solver.hpp"
+#include "plugins/common/mesh/apex.hpp"
+#include "plugins/common/mesh/emission.hpp"
+#include "plugins/common/exact/entry.hpp"
+#include "plugins/common/mesh/packed_mesh.hpp"
+#include "plugins/common/mesh/labels.hpp"
+#include "plugins/common/exact/tolerances.hpp"
+#include "plugins/common/exact/watched_target.hpp"
+
+namespace geodrome {
+
+/// A pseudo-source in the frame of a half-edge: in its face, or unfolded below it. A point p that a straight line from
+/// it reaches is at distance sigma + |p - (x, y)|.
+struct PseudoSource {
+  double x, y, sigma;
+  Index origin;  ///< a vertex, or `vertex count + i` for source i of the request
+};
+
+/// What exact propagations have in common, whatever carries their straight lines across faces: labels of vertices, ways
+/// along edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances
+/// are those of the flat surface, and so are the numbers of faces and vertices. It makes up a part of what PropagationSearch
+/// asks for.
+///
+/// `Step` is that of Labels, with a member `vertex` for a way along an edge from that vertex. A
+/// `Solver` derives from VertexPropagation<Solver, Step>, so that calls are bound when it is compiled, and has
+/// - `waiting()`: the queue, with `bool empty() const` and `void push_vertex(Index vertex, double distance)`;
+/// - `void next()`: takes the nearest from the queue; a vertex goes to `emit`, a half-edge is for the solver;
+/// - `void send_wedge(const Apex&, const PseudoSource& from, double to_end, Entry)`: lets all lines from a point of a
+///   face wait beyond a half-edge of it, `apex.half_edge`, in whose frame the point is. `to_end` is the length of the
+///   half-edge less from.x, told apart from 0 where rounding would not;
+/// - if it likes, `polled` and `seed_face` in place of those here.
+template <class Solver, class Step>
+class VertexPropagation {
+ public:
+  /// `run` polls once in so many steps.
+  static constexpr std::size_t steps_a_poll = 256;
+
+  /// Starts at a source; its start distance is in the surface's units, its point has the mesh's own face number.
+  /// Precondition: `begin`. O(1) and what waiting costs.
+  void seed(const Source& source, Index number);
+
+  /// To be lowered by `run`, in ascending order of faces.
+  std::vector<Watched>& watched() { return watched_; }
+  const std::vector<Watched>& watched() const { return watched_; }
+
+  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may give a new one.
+  /// May throw Cancelled.
+  template <class LowerLimit>
+  void run(const RunContext& context, LowerLimit&& lower_limit) {
+    for (std::size_t step = 0; !solver().waiting().empty(); ++step) {
+      if (step % steps_a_poll == 0) context.throw_if_cancelled();
+      if (step % steps_a_poll == steps_a_poll - 1) limit_ = std::min(limit_, lower_limit()), solver().polled();
+      solver().next();
+    }
+  }
+
+  const Labels<Step>& labels() const { return labels_; }
+
+ protected:
+  explicit VertexPropagation(const PackedMesh& surface) : surface_(surface), labels_(surface.vertex_count()) {}
+  ~VertexPropagation() = default;
+
+  /// Forgets the last run: labels, watched points, limit. O(what it touched).
+  void begin(bool keep, double limit);
+  /// For a solver that looks now and then how its run goes.
+  void polled() {}
+
+  /// The number of the source that lines from this origin come from.
+  Index source_of(Index origin) const {
+    const auto vertices = static_cast<Index>(surface_.vertex_count());
+    return origin < vertices ? labels_[origin].source : origin - vertices;
+  }
+
+  /// The pseudo-source that a vertex is, into all faces where a shortest path can go on. O(degree).
+  void emit(Index vertex);
+  /// Lowers the apex by the ways along the two edges at it.
+  void lower_along_edges(const Apex& apex);
+  /// Lowers the apex by a way of this length from a pseudo-source below its half-edge: straight if `x` is that of the
+  /// pseudo-source, else bent at (x, 0). `step()` makes the step of that way.
+  template <class MakeStep>
+  void lower_apex_from(const Apex& apex, const PseudoSource& from, double x, double distance, MakeStep&& step);
+  /// Calls `visit(watched, x, y)` for every watched point in the face of a half-edge, at (x, y) in the frame of that.
+  template <class Visit>
+  void for_each_watched(Index half_edge, Visit&& visit);
+  /// A source in a face or on its edge: the corners, and wedges through the edges that it is not on.
+  void seed_face(const SurfacePoint& at, const Source& source, Index number);
+
+  /// Times a vertex became a pseudo-source in this run.
+  std::uint64_t emissions() const { return emissions_; }
+  std::size_t bytes() const { return labels_.bytes() + watched_.capacity() * sizeof(Watched); }
+
+  const PackedMesh& surface_;
+  Labels<Step> labels_;
+  std::vector<Watched> watched_;
+  bool keep_ = false;
+  double limit_ = 0;
+
+ private:
+  Solver& solver() { return static_cast<Solver&>(*this); }
+  bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
+  void lower(Index vertex, const Label& label, const Step& step);
+  void widen(Index vertex, double distance, double length);
+  void emit_into(Index corner);
+
+  std::vector<Index> emitting_;
+  std::uint64_t emissions_ = 0;
+};
+
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::begin(bool keep, double limit) {
+  labels_.reset(keep);
+  watched_.clear();
+  keep_ = keep;
+  limit_ = limit;
+  emissions_ = 0;
+}
+
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::lower(Index vertex, const Label& label, const Step& step) {
+  labels_.set(vertex, label, step);
+  if (label.corner == no_index || label.all_sides() || surface_.kind(vertex) != PackedMesh::VertexKind::smooth)
+    solver().waiting().push_vertex(vertex, label.distance);
+}
+
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::lower_along_edges(const Apex& apex) {
+  const double by_start = labels_.distance(apex.start()) + apex.left_length();
+  const double by_end = labels_.distance(apex.end()) + apex.right_length();
+  if (label_is_lower(apex.vertex(), by_start))
+    lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {.vertex = apex.start()});
+  if (label_is_lower(apex.vertex(), by_end))
+    lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source}, {.vertex = apex.end()});
+}
+
+template <class Solver, class Step>
+template <class MakeStep>
+void VertexPropagation<Solver, Step>::lower_apex_from(const Apex& apex, const PseudoSource& from, double x,
+                                                      double distance, MakeStep&& step) {
+  const Index vertex = apex.vertex();
+  const bool all_sides = distance - from.sigma <= close_share * apex.length;  // two vertices in one place
+  if (!label_is_lower(vertex, distance)) {
+    if (all_sides) widen(vertex, distance, apex.length);
+    return;
+  }
+  Angle side = all_sides ? no_angle : Angle{};
+  if (!all_sides && surface_.kind(vertex) != PackedMesh::VertexKind::smooth) {
+    const bool by_bend = x != from.x && std::hypot(x - apex.x, apex.y) > close_share * apex.length;
+    side = by_bend ? apex.side(x - apex.x, -apex.y) : apex.side(from.x - apex.x, from.y - apex.y);
+  }
+  lower(vertex, {distance, side, apex.left(), source_of(from.origin)}, step());
+}
+
+/// A way from a pseudo-source in the same place as a vertex, and about as short as the one that it has: which of them
+/// is the shorter is rounding, so the vertex goes on to all sides.
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::widen(Index vertex, double distance, double length) {
+  const double present = labels_.distance(vertex);
+  if (labels_[vertex].all_sides() || distance > present + close_share * length) return;
+  labels_.widen(vertex);
+  solver().waiting().push_vertex(vertex, present);
+}
+
+template <class Solver, class Step>
+template <class Visit>
+void VertexPropagation<Solver, Step>::for_each_watched(Index half_edge, Visit&& visit) {
+  const Index face = half_edge / 3;
+  auto it =
+      std::lower_bound(watched_.begin(), watched_.end(), face, [](const Watched& w, Index f) { return w.at.face < f; });
+  for (; it != watched_.end() && it->at.face == face; ++it) {
+    const auto [x, y] = surface_.in_frame(half_edge, it->at.b);
+    visit(*it, x, y);
+  }
+}
+
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::emit(Index vertex) {
+  const Label label = labels_[vertex];
+  if (label.distance > limit_) return;
+  corners_that_emit(surface_, vertex, label, emitting_);
+  emissions_ += !emitting_.empty();
+  for (const Index corner : emitting_) emit_into(corner);
+}
+
+/// A wedge from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::emit_into(Index corner) {
+  const Apex apex(surface_, SurfaceMesh::next(corner));  // its apex is the vertex
+  const Index vertex = apex.vertex();
+  const Label label = labels_[vertex];
+  const double by_left = label.distance + apex.left_length(), by_right = label.distance + apex.right_length();
+  if (label_is_lower(apex.start(), by_left))
+    lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {.vertex = vertex});
+  if (label_is_lower(apex.end(), by_right))
+    lower(apex.end(), {by_right, {}, apex.right(), label.source}, {.vertex = vertex});
+  const double to_end = apex.right_length() * apex.face.cosine[apex.b];
+  solver().send_wedge(apex, {apex.x, apex.y, label.distance, vertex}, to_end, Entry::apex);
+}
+
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::seed(const Source& source, Index number) {
+  const SurfacePoint at = surface_.inner(source.at);
+  for (int i = 0; i < 3; ++i) {
+    if (at.b[i] != 1) continue;
+    const Index vertex = surface_.face(at.face).vertex[i];
+    if (label_is_lower(vertex, source.start)) lower(vertex, {source.start, {}, no_index, number}, {});
+    return;
+  }
+  surface_.for_each_name(at, [&](const SurfacePoint& here) { solver().seed_face(here, source, number); });
+}
+
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::seed_face(const SurfacePoint& at, const Source& source, Index number) {
+  const Index origin = static_cast<Index>(surface_.vertex_count()) + number;
+  for (int i = 0; i < 3; ++i) {
+    const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
+    const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
+    const double distance = source.start + std::sqrt(x * x + y * y);
+    if (label_is_lower(apex.start(), distance))
+      lower(apex.start(), {distance, angle_of(x, y), apex.half_edge, number}, {});
+    if (at.b[apex.c] == 0) continue;
+    const double to_end = at.b[apex.a] * apex.length + at.b[apex.c] * apex.right_length() * apex.face.cosine[apex.b];
+    solver().send_wedge(apex, {x, y, source.start, origin}, to_end, Entry::loose);
+  }
+}
+
+}  // namespace geodrome

@@ -1,9 +1,0 @@
-// SPDX-License-Identifier: MIT
-// Promises distances shorter than the shortest.
-#include "descriptor.hpp"
-
-GEODROME_BAD_ENTRY([] {
-  auto plugin = geodrome::bad::descriptor("bad_factor");
-  plugin.factor = [](const geodrome::OptionValues*) noexcept { return 0.5; };
-  return plugin;
-}())

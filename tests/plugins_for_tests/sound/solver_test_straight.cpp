@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The good one among the bad.
+#include "tests/plugins_for_tests/sound/straight_solver.hpp"
+
+namespace {
+
+constexpr geodrome::OptionSpec options[] = {
+    geodrome::integer_option("rounds", "1", 1, 9, "", "changes nothing"),
+    geodrome::number_option("slack", "0.5", 0, std::numeric_limits<double>::infinity(), "input units",
+                            "sets the factor"),
+    geodrome::choice_option("mood", "calm", "calm|wild", "changes nothing"),
+    geodrome::boolean_option("loud", "off", "changes nothing")};
+
+double factor(const geodrome::OptionValues* values) noexcept { return 1 + values->number("slack"); }
+
+class Solver : public geodrome::bad::StraightSolver<> {
+ public:
+  explicit Solver(const geodrome::OptionValues& values) {
+    if (values.integer("rounds") == 7) throw geodrome::OptionError("7 rounds are too many", "take another number");
+  }
+};
+
+}  // namespace
+
+GEODROME_PLUGIN(Solver, .name = "test_straight", .summary = "straight through space", .licence = "MIT",
+                .needs = geodrome::manifold, .provides = geodrome::start_distances | geodrome::face_sources,
+                .options = options, .factor = factor)

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "tools/bench/solvers/factor.hpp"
+#include "tools/bench/solvers/list.hpp"
+
+namespace geodrome::bench {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+using List = std::vector<std::string>;
+
+FactorFigures figures_of_one(const std::vector<double>& exact, const std::vector<double>& found, double factor) {
+  FactorFigures figures;
+  add_places(figures, exact, found, factor, found.size());
+  return figures;
+}
+
+TEST(FactorFigures, MeasureTheExcessOverAllPlacesAboveZero) {
+  const FactorFigures figures = figures_of_one({0, 1, 2}, {0, 1.1, 2.1}, 1.1);
+  EXPECT_EQ(figures.places, 3u);
+  EXPECT_NEAR(figures.largest_excess, 0.1, 1e-12);
+  EXPECT_NEAR(figures.mean_excess, 0.075, 1e-12);
+  EXPECT_EQ(figures.above, 0u);
+  EXPECT_EQ(figures.shortfall, 0);
+}
+
+TEST(FactorFigures, CountWhatIsAboveTheFactorButNotItsRounding) {
+  EXPECT_EQ(figures_of_one({1, 2}, {1.1 + 1e-12, 2}, 1.1).above, 0u);
+  EXPECT_EQ(figures_of_one({1, 2}, {1.1 + 1e-11, 2}, 1.1).above, 1u);
+  EXPECT_EQ(figures_of_one({0, 2}, {1e-9, 2}, 1.1).above, 1u);
+}
+
+TEST(FactorFigures, ShortfallIsAShareOfTheLargestDistance) {
+  EXPECT_NEAR(figures_of_one({1, 4}, {0.9, 4}, 1.1).shortfall, 0.025, 1e-12);
+}
+
+TEST(FactorFigures, TakeUnreachableForRightWhereBothSaySo) {
+  EXPECT_EQ(figures_of_one({1, infinity}, {1, infinity}, 1).above, 0u);
+  EXPECT_EQ(figures_of_one({1, 2}, {1, infinity}, 1).above, 1u);
+  EXPECT_EQ(figures_of_one({1, infinity}, {1, 2}, 1).shortfall, infinity);
+}
+
+TEST(FactorFigures, OfWhatIsNoNumberAreBroken) {
+  const FactorFigures figures = figures_of_one({1, 2}, {1, std::nan("")}, 1.5);
+  EXPECT_EQ(figures.above, 1u);
+  EXPECT_EQ(figures.shortfall, infinity);
+}
+
+TEST(FactorFigures, JudgeOnlyThePlacesThatTheFactorCovers) {
+  FactorFigures figures;
+  add_places(figures, std::vector<double>{1, 1}, std::vector<double>{1, 3}, 1.1, 1);
+  EXPECT_EQ(figures.judged, 1u);
+  EXPECT_EQ(figures.above, 0u);
+  EXPECT_NEAR(figures.largest_excess, 2, 1e-12);
+}
+
+TEST(FactorFigures, WithoutAFactorNothingIsAbove) { EXPECT_EQ(figures_of_one({0, 1}, {0, 9}, infinity).above, 0u); }
+
+TEST(FactorResult, WithoutAFactorHasNothingToBreak) {
+  FactorResult result{.factor = 1.5};
+  EXPECT_TRUE(result.holds());
+  result.figures.shortfall = 1e-3;
+  EXPECT_FALSE(result.holds());
+  result.factor = infinity;
+  EXPECT_TRUE(result.holds());
+}
+
+TEST(ExponentsInDelta, AreFittedToSecondsAndCountersOverOneOverDelta) {
+  std::vector<FactorResult> results;
+  for (const double delta : {0.5, 0.1, 0.02}) {
+    FactorResult& result = results.emplace_back();
+    result.factor = 1 + delta, result.seconds = 2 / delta;
+    result.counters = {{"Steiner points", 100 / std::sqrt(delta)}, {"none", 0}};
+  }
+  const auto exponents = exponents_in_delta(results);
+  EXPECT_NEAR(exponents.at("seconds"), 1, 1e-9);
+  EXPECT_NEAR(exponents.at("Steiner points"), 0.5, 1e-9);
+  EXPECT_FALSE(exponents.contains("none"));
+}
+
+TEST(ExponentsInDelta, OfOneDeltaOrOfExactSolversAreNone) {
+  const std::vector<FactorResult> results{{.factor = 1, .seconds = 1}, {.factor = 1.1, .seconds = 2}};
+  EXPECT_TRUE(exponents_in_delta(results).empty());
+}
+
+TEST(SolverList, KeepsTheOptionsOfASolverTogether) {
+  EXPECT_EQ(split_solvers("a:delta=0.1,placement=thin,b,c:k=v"), (List{"a:delta=0.1,placement=thin", "b", "c:k=v"}));
+  EXPECT_EQ(split_solvers("a"), List{"a"});
+  EXPECT_TRUE(split_solvers("").empty());
+}
+
+TEST(SolverList, SolversThatDifferByOneOptionShareTheRest) {
+  EXPECT_EQ(without_option("a:delta=0.1", "delta"), "a");
+  EXPECT_EQ(without_option("a:delta=0.1,k=v", "delta"), "a:k=v");
+  EXPECT_EQ(without_option("a:k=v,delta=0.1,l=w", "delta"), "a:k=v,l=w");
+  EXPECT_EQ(without_option("a", "delta"), "a");
+}
+
+}  // namespace
+}  // namespace geodrome::bench

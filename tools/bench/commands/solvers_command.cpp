@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include <iostream>
+#include <memory>
+
+#include "tools/bench/commands/bench_mesh.hpp"
+#include "tools/bench/commands/commands.hpp"
+#include "tools/bench/solvers/race.hpp"
+
+namespace geodrome::bench {
+namespace {
+
+constexpr const char* conditions =
+    "Conditions: one thread, both solvers in one process and one run, interleaved, the first one changing every run. "
+    "A\n"
+    "query is one search from a vertex and the copy of all vertex distances; each solver keeps one search, which has "
+    "had one\n"
+    "query from that source before the clock starts. Preparing the surface is timed apart (median of 3). Figures are "
+    "medians\n"
+    "over the runs of a source, then over the sources. A run in which the peer took over 1.2 times its own median is "
+    "void.\n"
+    "Windows: the solver's counter windows_propagated of a source; time a window is that of the whole query. -: not "
+    "counted.\n"
+    "Wall-clock time: let nothing else run. Build with the release preset.";
+
+struct Arguments {
+  std::string mesh, solver = "chen_han", peer = "cgal";
+  std::vector<std::filesystem::path> plugin_path;
+  RaceOptions options;
+};
+
+void run(const Arguments& arguments) {
+  const PluginHost host(arguments.plugin_path);
+  const auto solver = host.load<ShortestPathSolver>(arguments.solver);
+  const auto peer = host.load<ShortestPathSolver>(arguments.peer);
+  const MeshPtr mesh = load_mesh(arguments.mesh);
+  std::cout << arguments.mesh << ": " << mesh->face_count() << " faces, " << mesh->vertex_count() << " vertices; "
+            << arguments.options.sources << " sources, " << arguments.options.runs << " runs\n";
+  print(std::cout, race(solver, peer, mesh, arguments.options));
+}
+
+}  // namespace
+
+void add_solvers(CLI::App& app, Action& action) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App& command = *app.add_subcommand("solvers", "A solver against a peer on one mesh: ratios of medians.");
+  command.footer(conditions);
+  command.add_option("mesh", arguments->mesh, "a file, or shape:KIND:FACES[:SEED]")->required();
+  command.add_option("--solver", arguments->solver, "NAME[:key=value,...]")->capture_default_str();
+  command.add_option("--peer", arguments->peer, "NAME[:key=value,...]")->capture_default_str();
+  command.add_option("--sources", arguments->options.sources, "random vertices")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--runs", arguments->options.runs, "runs per source")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--seed", arguments->options.seed, "chooses the sources")->capture_default_str();
+  command.add_option("--plugin-path", arguments->plugin_path, "folders searched first");
+  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+}
+
+}  // namespace geodrome::bench

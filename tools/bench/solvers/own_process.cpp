@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "tools/bench/solvers/own_process.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "geodrome/errors.hpp"
+
+namespace geodrome::bench {
+
+void in_a_process_of_its_own(const std::function<void()>& work) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child < 0) throw RefusedError("no child process can be started");
+  if (child == 0) {
+    int status = 0;
+    try {
+      work();
+    } catch (const std::exception& error) {
+      std::printf("    %s\n", error.what());
+      status = 1;
+    }
+    std::fflush(stdout);
+    _exit(status);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WIFSIGNALED(status)) std::printf("    ended by signal %d\n", WTERMSIG(status));
+}
+
+}  // namespace geodrome::bench

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "tools/bench/solvers/witness.hpp"
+
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "tools/bench/solvers/runner.hpp"
+
+namespace geodrome::bench {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+Witness::Witness(const Plugin<ShortestPathSolver>& plugin, MeshPtr mesh, double seconds)
+    : plugin_(plugin), mesh_(std::move(mesh)), common_(*mesh_), context_(seconds) {
+  require_needs(plugin_.info, *mesh_);
+  plugin_.call([&](const ShortestPathSolver& solver) {
+    prepared_ = solver.prepare(mesh_, context_);
+    search_ = prepared_->make_search();
+  });
+}
+
+void Witness::run(std::span<const Source> sources, const Request& request) {
+  sources_.assign(sources.begin(), sources.end());
+  context_.restart();
+  plugin_.call([&](const ShortestPathSolver&) { map_ = &search_->run(sources_, request, context_); });
+}
+
+std::vector<double> Witness::at(std::span<const SurfacePoint> points) const {
+  std::vector<double> values;
+  values.reserve(points.size());
+  plugin_.call([&](const ShortestPathSolver&) {
+    for (const SurfacePoint& point : points) values.push_back(map_->at(point).value);
+  });
+  return values;
+}
+
+double Witness::path_length(const SurfacePoint& from) const {
+  std::vector<SurfacePoint> path;
+  const Index source = plugin_.call([&](const ShortestPathSolver&) {
+    map_->path(from, path);
+    return map_->at(from).source;
+  });
+  if (path.empty() || source >= sources_.size()) return infinity;
+  const auto miss_start = common_.straight(path.front(), from);
+  const auto miss_end = common_.straight(path.back(), sources_[source].at);
+  if (!miss_start || !miss_end) return infinity;
+  double length = sources_[source].start + *miss_start + *miss_end;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    const auto step = common_.straight(path[i], path[i + 1]);
+    if (!step) return infinity;
+    length += *step;
+  }
+  return length;
+}
+
+AuditResult Witness::audited() const {
+  return plugin_.call([&](const ShortestPathSolver&) {
+    return audit(*mesh_, sources_, *map_, plugin_.info.provides, {.factor = plugin_.factor, .share = 1});
+  });
+}
+
+}  // namespace geodrome::bench
