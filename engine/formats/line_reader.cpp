@@ -111,7 +111,7 @@ std::size_t LineReader::further_numbers() {
   }
 }
 
-void LineReader::reject(InputFault fault, const std::string& what, std::string remedy) const {
+void LineReader::reject(InputFault fault, const std::string& what, Remedy remedy) const {
   input::reject(file_, fault, "line " + std::to_string(line_) + ": " + what, std::move(remedy));
 }
 

@@ -43,7 +43,7 @@ class LineReader {
   /// Reads what is left of the line as numbers; returns how many they were.
   std::size_t further_numbers();
 
-  [[noreturn]] void reject(InputFault fault, const std::string& what, std::string remedy = {}) const;
+  [[noreturn]] void reject(InputFault fault, const std::string& what, Remedy remedy = {}) const;
   /// Rejects a line that ends too early: truncated if it is the last one, a syntax error otherwise.
   [[noreturn]] void reject_short(const std::string& what) const;
 

@@ -20,7 +20,7 @@ std::string last_reason() { return std::generic_category().message(errno); }
 
 }  // namespace
 
-void reject(const SourceFile& file, InputFault fault, const std::string& what, std::string remedy) {
+void reject(const SourceFile& file, InputFault fault, const std::string& what, Remedy remedy) {
   throw InputError(fault, file.path.string() + ": " + what, std::move(remedy));
 }
 

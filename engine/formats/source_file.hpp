@@ -22,7 +22,7 @@ SourceFile read_source(const std::filesystem::path& path);
 std::string content_hash(std::string_view bytes);
 
 /// Throws InputError with a message that starts with the file's name.
-[[noreturn]] void reject(const SourceFile& file, InputFault fault, const std::string& what, std::string remedy = {});
+[[noreturn]] void reject(const SourceFile& file, InputFault fault, const std::string& what, Remedy remedy = {});
 
 /// Text of a file as it may be shown in a message: short, in one line, printable.
 std::string quoted(std::string_view text);

@@ -161,7 +161,7 @@ void for_each_line(std::istream& file, const std::string& name, const char* synt
       read(text);
     } catch (const OptionError& error) {
       throw InputError(InputFault::syntax, name + ": line " + std::to_string(number) + ": " + error.message(),
-                       error.remedy().empty() ? syntax : error.remedy());
+                       error.remedy().empty() ? Remedy(syntax) : error.coded_remedy());
     }
   }
 }

@@ -197,7 +197,7 @@ SurfaceAttempt SampleChain::make(const StageChoice& choice) {
   } catch (const SampleError& error) {
     std::vector<Finding> findings = error.findings();
     name_rows(findings, rows_of_elements(input_));
-    attempt.refusal.emplace(error.message(), error.remedy(), std::move(findings));
+    attempt.refusal.emplace(error.message(), error.coded_remedy(), std::move(findings));
     attempt.refusal->attribute_to(error.plugin());
   }
   return attempt;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geodrome/geometry.hpp"
+#include "geodrome/remedy.hpp"
 
 namespace geodrome {
 
@@ -15,9 +16,10 @@ struct Finding {
 
   Severity severity = Severity::note;
   std::string code;             ///< stable, lower case, for programs: "duplicate_faces"
-  std::string message;          ///< one sentence for people, with the remedy where there is one
+  std::string message;          ///< one sentence for people
   std::size_t count = 0;        ///< how many elements are concerned
   std::vector<Index> elements;  ///< the first few of them; what they count (points, faces) is in the message
+  Remedy remedy;                ///< empty where there is none
 };
 
 }  // namespace geodrome

@@ -19,7 +19,7 @@ void put_in_order(std::vector<Triangle>& faces) {
   std::sort(faces.begin(), faces.end());
 }
 
-[[noreturn]] void refuse(const Reconstruction& result, std::string message, std::string remedy) {
+[[noreturn]] void refuse(const Reconstruction& result, std::string message, Remedy remedy) {
   throw SampleError(std::move(message), std::move(remedy), result.findings);
 }
 
