@@ -6,8 +6,8 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/surface/common_face.hpp"
 #include "engine/checks/seeded_subset.hpp"
+#include "engine/surface/common_face.hpp"
 #include "geodrome/vertex_components.hpp"
 
 namespace geodrome {
@@ -30,7 +30,7 @@ std::vector<Index> chosen_faces(Index count, double share, std::uint64_t seed) {
 
 class Auditor {
  public:
-  Auditor(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map, std::uint64_t provides,
+  Auditor(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map, Provides provides,
           const AuditOptions& options)
       : mesh_(mesh),
         sources_(sources),
@@ -99,7 +99,7 @@ class Auditor {
     }
     for (std::size_t i = 0; i < samples.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) audit_pair(samples[i], samples[j], face);
-    if (!(provides_ & paths)) return;
+    if (!has(provides_, Provides::paths)) return;
     audit_path(samples[face % 3], face);
     audit_path({centre(face), map_.at(centre(face)).value}, face);
   }
@@ -164,7 +164,7 @@ class Auditor {
     const auto miss_start = common_.straight(path.front(), from.at);
     const auto miss_end = common_.straight(path.back(), sources_[source].at);
     if (!miss_start || !miss_end) return report_path(infinity, face);
-    if (provides_ & path_is_distance)
+    if (has(provides_, Provides::path_is_distance))
       report_path(std::abs(length + sources_[source].start - from.value) + *miss_start + *miss_end, face);
     if (path.size() > 1) audit_pair(from, {path[1], map_.at(path[1]).value}, face);
   }
@@ -184,7 +184,7 @@ class Auditor {
   const SurfaceMesh& mesh_;
   std::span<const Source> sources_;
   const ShortestPathMap& map_;
-  std::uint64_t provides_;
+  Provides provides_;
   AuditOptions options_;
   CommonFace common_;
   std::vector<Index> component_;
@@ -195,8 +195,8 @@ class Auditor {
 }  // namespace
 
 AuditResult audit(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map,
-                  std::uint64_t provides, const AuditOptions& options) {
-  if (!(provides & any_point))
+                  Provides provides, const AuditOptions& options) {
+  if (!has(provides, Provides::any_point))
     throw CapabilityError("the audit asks at any point", "choose a solver that provides any_point");
   if (!(options.share > 0)) throw OptionError("the audit's share must be above 0");
   return Auditor(mesh, sources, map, provides, options).run();

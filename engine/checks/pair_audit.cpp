@@ -16,8 +16,9 @@ constexpr std::size_t audited_pairs = 3;
 /// Whether a search could tell the distance, and the factor is promised of it and of the oracle.
 bool can_be_judged(const PreparedSolver& solver, const NamedPair& pair) {
   const bool from_vertex = pair.from.place.vertex != no_index, to_vertex = pair.to.place.vertex != no_index;
-  return (from_vertex || solver.provides(face_sources)) && (to_vertex || solver.provides(any_point)) &&
-         ((from_vertex && to_vertex) || solver.provides(factor_any_point));
+  return (from_vertex || solver.provides(Provides::face_sources)) &&
+         (to_vertex || solver.provides(Provides::any_point)) &&
+         ((from_vertex && to_vertex) || solver.provides(Provides::factor_any_point));
 }
 
 std::vector<std::size_t> choose(const PreparedSolver& solver, std::span<const NamedPair> pairs,
@@ -33,7 +34,7 @@ std::vector<std::size_t> choose(const PreparedSolver& solver, std::span<const Na
 
 double searched(const PreparedSolver& solver, Search& search, const NamedPair& pair, RunContext& context) {
   const Source source{pair.from.place.at, 0};
-  const Request request{.targets = {&pair.to.place.at, 1}, .stop_at_targets = solver.provides(target_limit)};
+  const Request request{.targets = {&pair.to.place.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};
   const ShortestPathMap& map = run_search(solver, search, {&source, 1}, request, context);
   return cross_boundary(solver.plugin.info, [&] { return map.at(pair.to.place.at).value; });
 }

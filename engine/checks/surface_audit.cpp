@@ -37,15 +37,15 @@ void add(AuditResult& sum, const AuditResult& one) {
 std::string reason_not_to(const PreparedSolver& solver, double share, bool any_source) {
   if (share <= 0) return "switched off";
   if (!any_source) return "no source lies on the surface";
-  if (!solver.provides(any_point) || !solver.provides(paths))
+  if (!solver.provides(Provides::any_point) || !solver.provides(Provides::paths))
     return solver.plugin.info.full_name() + " does not provide any_point and paths";
   return {};
 }
 
 }  // namespace
 
-AuditSummary audit_sources(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
-                           double share, std::uint64_t seed, RunContext& context) {
+AuditSummary audit_sources(const PreparedSolver& solver, const SourceSurfaces& surfaces,
+                           std::span<const NamedPoint> sources, double share, std::uint64_t seed, RunContext& context) {
   AuditSummary summary;
   const std::vector<const NamedPoint*> chosen = choose(sources);
   summary.not_audited = reason_not_to(solver, share, !chosen.empty());

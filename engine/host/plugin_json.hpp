@@ -49,8 +49,8 @@ inline void to_json(nlohmann::json& json, const PluginInfo& plugin) {
           {"name", plugin.name},
           {"summary", plugin.summary},
           {"licence", plugin.licence},
-          {"needs", plugin.needs},
-          {"provides", plugin.provides},
+          {"needs", static_cast<std::uint64_t>(plugin.needs)},
+          {"provides", static_cast<std::uint64_t>(plugin.provides)},
           {"default_factor", json_number(plugin.default_factor)},
           {"options", plugin.options}};
 }
@@ -60,8 +60,8 @@ inline void from_json(const nlohmann::json& json, PluginInfo& plugin) {
   json.at("name").get_to(plugin.name);
   json.at("summary").get_to(plugin.summary);
   json.at("licence").get_to(plugin.licence);
-  json.at("needs").get_to(plugin.needs);
-  json.at("provides").get_to(plugin.provides);
+  plugin.needs = Needs{json.at("needs").get<std::uint64_t>()};
+  plugin.provides = Provides{json.at("provides").get<std::uint64_t>()};
   plugin.default_factor = number_from_json(json.at("default_factor"));
   json.at("options").get_to(plugin.options);
 }

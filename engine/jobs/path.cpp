@@ -2,13 +2,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/output/atomic_file.hpp"
 #include "engine/formats/number_text.hpp"
-#include "engine/report/json.hpp"
+#include "engine/host/stage_context.hpp"
 #include "engine/jobs/check_outputs.hpp"
+#include "engine/output/atomic_file.hpp"
+#include "engine/report/json.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/search/source_surface.hpp"
-#include "engine/host/stage_context.hpp"
 #include "engine/search/traced_path.hpp"
 #include "geodrome/engine/jobs.hpp"
 
@@ -106,7 +106,7 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   const SourceSurface on = SourceSurfaces(job.query, opened, {to}).of(from);
   const PreparedSolver solver = prepare_solver(on.mesh, host, job.settings.stages.solver, job.settings, observer);
   check_provides(solver, {&on.source, 1}, on.targets->queries(), std::numeric_limits<double>::infinity());
-  demand(solver, paths, "paths");
+  demand(solver, Provides::paths, "paths");
   StageContext context(ShortestPathSolver::stage, observer, 1, job.settings.seed);
   const PathResult result = find_path(solver, on, context);
   if (format) write_atomically(job.out, format(result));

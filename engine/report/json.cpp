@@ -111,8 +111,8 @@ Json to_json(const PluginInfo& plugin) {
             {"file", plugin.file.string()}};
   if (plugin.stage == ShortestPathSolver::stage) {
     json["factor"] = to_json(plugin.default_factor);
-    json["needs"] = needs_words(plugin.needs);
-    json["provides"] = provides_words(plugin.provides);
+    json["needs"] = words_of(plugin.needs);
+    json["provides"] = words_of(plugin.provides);
   }
   json["options"] = Json::array();
   for (const OptionInfo& option : plugin.options) json["options"].push_back(to_json(option));

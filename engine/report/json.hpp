@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "engine/report/capability_words.hpp"
 #include "geodrome/engine/input.hpp"
 #include "geodrome/engine/pipeline.hpp"
 #include "geodrome/engine/plugin_host.hpp"

@@ -40,13 +40,13 @@ void demand(const PreparedSolver& solver, Provides wanted, const char* what) {
                           "choose a solver that does ('geodrome plugins show NAME' tells)");
 }
 
-void check_provides(const PreparedSolver& solver, std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
-                    double max_distance) {
+void check_provides(const PreparedSolver& solver, std::span<const NamedPoint> sources,
+                    std::span<const NamedPoint> targets, double max_distance) {
   if (std::any_of(sources.begin(), sources.end(), is_no_vertex))
-    demand(solver, face_sources, "sources that are no vertices (face_sources)");
+    demand(solver, Provides::face_sources, "sources that are no vertices (face_sources)");
   if (std::any_of(targets.begin(), targets.end(), is_no_vertex))
-    demand(solver, any_point, "distances of points inside faces (any_point)");
-  if (std::isfinite(max_distance)) demand(solver, radius_limit, "a largest distance (radius_limit)");
+    demand(solver, Provides::any_point, "distances of points inside faces (any_point)");
+  if (std::isfinite(max_distance)) demand(solver, Provides::radius_limit, "a largest distance (radius_limit)");
 }
 
 TargetList::TargetList(std::vector<NamedPoint> queries, const PlacedSurface& surface)

@@ -36,7 +36,7 @@ Starts starts_of(const PreparedSolver& solver, std::span<const NamedPoint> queri
     starts.of_query.push_back(i);
   }
   if (std::any_of(queries.begin(), queries.end(), [](const NamedPoint& q) { return q.start > 0; }))
-    demand(solver, start_distances, "start distances (start_distances)");
+    demand(solver, Provides::start_distances, "start distances (start_distances)");
   return starts;
 }
 

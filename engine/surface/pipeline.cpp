@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "engine/surface/sample_chain.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/surface/sample_chain.hpp"
 
 namespace geodrome {
 
@@ -30,13 +30,14 @@ PlacedSurface surface_of_mesh(const Input& input) {
 /// Throws CapabilityError if the mesh lacks what the plugin needs.
 void check_needs(const PluginInfo& plugin, const SurfaceMesh& mesh) {
   std::string missing;
-  const auto need = [&](Needs bit, bool has, const char* what) {
-    if ((plugin.needs & bit) && !has) missing += (missing.empty() ? "" : ", ") + std::string(what);
+  const auto need = [&](Needs bit, bool given, const char* what) {
+    if (has(plugin.needs, bit) && !given) missing += (missing.empty() ? "" : ", ") + std::string(what);
   };
-  need(manifold, mesh.manifold(), "nonmanifold (an edge with over two faces, or a vertex where several fans meet)");
-  need(oriented, !mesh.manifold() || mesh.oriented(),
+  need(Needs::manifold, mesh.manifold(),
+       "nonmanifold (an edge with over two faces, or a vertex where several fans meet)");
+  need(Needs::oriented, !mesh.manifold() || mesh.oriented(),
        "not oriented (not orientable, or neighbouring faces that clash)");
-  need(closed, mesh.closed(), "not closed");
+  need(Needs::closed, mesh.closed(), "not closed");
   if (missing.empty()) return;
   throw CapabilityError(plugin.full_name() + " cannot work on this surface: " + missing,
                         "repair the mesh, or choose a solver that needs less ('geodrome plugins show NAME' tells)");
@@ -46,14 +47,14 @@ void check_needs(const PluginInfo& plugin, const SurfaceMesh& mesh) {
 std::string weighted_solvers(const PluginHost& host) {
   std::string names;
   for (const PluginInfo& plugin : host.list().usable)
-    if (plugin.stage == ShortestPathSolver::stage && (plugin.provides & weights))
+    if (plugin.stage == ShortestPathSolver::stage && has(plugin.provides, Provides::weights))
       names += (names.empty() ? "" : ", ") + plugin.name;
   return names.empty() ? "no solver that is there does; leave the weights out" : "solvers that do: " + names;
 }
 
 /// Throws CapabilityError if the mesh has weights that the plugin would pass over.
 void check_weights(const PluginInfo& plugin, const SurfaceMesh& mesh, const PluginHost& host) {
-  if (mesh.face_weights().empty() || (plugin.provides & weights)) return;
+  if (mesh.face_weights().empty() || has(plugin.provides, Provides::weights)) return;
   throw CapabilityError(plugin.full_name() + " does not measure with weights of faces (weights)",
                         weighted_solvers(host));
 }
@@ -70,7 +71,8 @@ SurfaceAttempt try_surface(const Input& input, const PluginHost& host, const Run
   return SampleChain(input, host, settings, observer).make(settings.stages);
 }
 
-PlacedSurface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer) {
+PlacedSurface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings,
+                           Observer& observer) {
   SurfaceAttempt attempt = try_surface(input, host, settings, observer);
   if (attempt.refusal) throw *attempt.refusal;
   return std::move(attempt.surface);

@@ -14,9 +14,10 @@ namespace geodrome {
 /// O(F log^2(1 / delta) / delta) edges, which are compared but not stored; a run costs what it reaches.
 class AleksandrovSolver final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                            paths | path_is_distance | pair_queries | weights | factor_any_point |
-                                            never_shorter;
+  static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
+                                       Provides::target_limit | Provides::any_point | Provides::paths |
+                                       Provides::path_is_distance | Provides::pair_queries | Provides::weights |
+                                       Provides::factor_any_point | Provides::never_shorter;
   static constexpr OptionSpec options[] = {
       number_option("delta", "0.05", 1e-4, 1, "", "distances are at most 1 + delta times too long"),
       choice_option("placement", "thin", "thin|published", "of Steiner points: ours, or that of the paper (denser)"),

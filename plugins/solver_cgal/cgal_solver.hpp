@@ -12,9 +12,10 @@ namespace geodrome {
 /// NumericalErrors. Memory grows with the number of windows; they are dropped when the run only keeps targets.
 class CgalSolver final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t needs = manifold | oriented;
-  static constexpr std::uint64_t provides =
-      face_sources | radius_limit | any_point | paths | path_is_distance | factor_any_point | never_shorter;
+  static constexpr Needs needs = Needs::manifold | Needs::oriented;
+  static constexpr Provides provides = Provides::face_sources | Provides::radius_limit | Provides::any_point |
+                                       Provides::paths | Provides::path_is_distance | Provides::factor_any_point |
+                                       Provides::never_shorter;
 
   /// Copies the mesh for CGAL, O(V + F). Throws CapabilityError for face weights.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;

@@ -15,8 +15,10 @@ namespace geodrome {
 /// is in memory.
 class ChenHanSolver final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                            paths | path_is_distance | factor_any_point | never_shorter;
+  static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
+                                       Provides::target_limit | Provides::any_point | Provides::paths |
+                                       Provides::path_is_distance | Provides::factor_any_point |
+                                       Provides::never_shorter;
   static constexpr OptionSpec options[] = {
       choice_option("filter", "xin_wang", "xin_wang|off",
                     "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),

@@ -10,8 +10,9 @@ namespace geodrome {
 /// faces that hold them, and to each other within a face. O(E log V) a run, nothing allocated from run to run.
 class EdgeDijkstra final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                            paths | path_is_distance | never_shorter;
+  static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
+                                       Provides::target_limit | Provides::any_point | Provides::paths |
+                                       Provides::path_is_distance | Provides::never_shorter;
 
   /// Builds the graph, O(F log F). Throws CapabilityError for face weights.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;

@@ -11,7 +11,8 @@ namespace geodrome {
 /// costs what it reaches; nothing is allocated from run to run.
 class FastMarching final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit;
+  static constexpr Provides provides =
+      Provides::start_distances | Provides::face_sources | Provides::radius_limit | Provides::target_limit;
 
   /// O(F log F). Throws CapabilityError for face weights and for a mesh of 2^30 half-edges or more.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;

@@ -13,8 +13,8 @@ namespace geodrome {
 /// each component; they are kept for the next. A run takes two solves a source.
 class Heat final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t needs = manifold | oriented;
-  static constexpr std::uint64_t provides = 0;
+  static constexpr Needs needs = Needs::manifold | Needs::oriented;
+  static constexpr Provides provides = Provides::nothing;
 
   /// Factors the systems of all components: superlinear in V. Throws CapabilityError for face weights or another kind
   /// of mesh, InputError for a component without extent or beyond the range of numbers, NumericalError for a face that

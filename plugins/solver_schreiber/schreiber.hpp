@@ -12,8 +12,10 @@ namespace geodrome {
 /// costs what it reaches: O(log n) for each event of a wavefront of n generators, measured about one event a face.
 class SchreiberSolver final : public ShortestPathSolver {
  public:
-  static constexpr std::uint64_t provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                            paths | path_is_distance | factor_any_point | never_shorter;
+  static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
+                                       Provides::target_limit | Provides::any_point | Provides::paths |
+                                       Provides::path_is_distance | Provides::factor_any_point |
+                                       Provides::never_shorter;
 
   explicit SchreiberSolver(const OptionValues&) {}
 

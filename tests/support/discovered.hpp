@@ -22,10 +22,11 @@ template <class Stage>
 struct Discovered {
   std::shared_ptr<const Stage> object;
   std::string name;
-  std::uint64_t needs = 0, provides = 0;
+  Needs needs = Needs::nothing;
+  Provides provides = Provides::nothing;
   double factor = 0;
 
-  bool has(std::uint64_t bits) const { return (provides & bits) == bits; }
+  bool has(Provides bits) const { return geodrome::has(provides, bits); }
   friend std::ostream& operator<<(std::ostream& out, const Discovered& plugin) { return out << plugin.name; }
 };
 

@@ -5,9 +5,9 @@
 #include <iostream>
 #include <memory>
 
-#include "tools/geodrome/commands.hpp"
 #include "engine/report/json.hpp"
 #include "geodrome/engine/plugin_host.hpp"
+#include "tools/geodrome/commands.hpp"
 
 namespace geodrome::cli {
 
@@ -44,8 +44,7 @@ void print(const PluginInfo& plugin) {
             << plugin.file.string() << "\n";
   if (plugin.stage == ShortestPathSolver::stage)
     std::cout << "  guarantee  " << guarantee(plugin.default_factor) << "\n  needs      "
-              << joined(needs_words(plugin.needs)) << "\n  provides   " << joined(provides_words(plugin.provides))
-              << "\n";
+              << joined(words_of(plugin.needs)) << "\n  provides   " << joined(words_of(plugin.provides)) << "\n";
   for (const OptionInfo& option : plugin.options) {
     std::cout << "  option     " << option.name << "=" << option.default_value
               << (option.unit.empty() ? "" : " " + option.unit) << "  (";

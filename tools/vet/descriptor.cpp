@@ -11,11 +11,6 @@
 namespace geodrome {
 namespace {
 
-constexpr std::uint64_t known_needs = manifold | oriented | closed;
-constexpr std::uint64_t known_provides = start_distances | face_sources | radius_limit | target_limit | any_point |
-                                         paths | path_is_distance | pair_queries | weights | factor_any_point |
-                                         never_shorter;
-
 std::string text(const char* value, const std::string& what) {
   if (value == nullptr) throw PluginError(what + " is missing");
   return value;
@@ -85,14 +80,15 @@ PluginInfo checked_info(const PluginDescriptor& plugin) {
   info.summary = text(plugin.summary, "its summary");
   info.licence = text(plugin.licence, "its licence");
   info.needs = plugin.needs, info.provides = plugin.provides;
-  if (plugin.needs & ~known_needs) throw PluginError("it needs something this host does not know");
-  if (plugin.provides & ~known_provides) throw PluginError("it provides something this host does not know");
+  if (unknown_bits(plugin.needs) != Needs::nothing) throw PluginError("it needs something this host does not know");
+  if (unknown_bits(plugin.provides) != Provides::nothing)
+    throw PluginError("it provides something this host does not know");
   if (!plugin.factor || !plugin.create || !plugin.destroy) throw PluginError("its descriptor lacks a function");
   if (plugin.options == nullptr && plugin.option_count > 0) throw PluginError("its options are missing");
   const std::span specs(plugin.options, plugin.option_count);
   info.options = option_infos(specs);
   info.default_factor = default_factor(plugin, specs);
-  if (std::isfinite(info.default_factor)) info.provides |= never_shorter;
+  if (std::isfinite(info.default_factor)) info.provides |= Provides::never_shorter;
   return info;
 }
 

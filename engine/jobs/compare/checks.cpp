@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/compare/checks.hpp"
 
-#include "engine/surface/face_weight.hpp"
-#include "engine/search/reach.hpp"
 #include "engine/checks/matrix_view.hpp"
+#include "engine/search/reach.hpp"
+#include "engine/surface/face_weight.hpp"
 
 namespace geodrome {
 
@@ -14,7 +14,7 @@ Invariants invariants_of(const ComparedSurface& on, const Measurement& measured,
   const auto read = [&](std::uint64_t row) { return measured.rows[row]; };
   return check_invariants(on.sources, on.targets.queries(), read,
                           {.factor = solver.plugin.factor,
-                           .bounded = on.targets.bounded() || solver.provides(never_shorter),
+                           .bounded = on.targets.bounded() || solver.provides(Provides::never_shorter),
                            .smallest_weight = smallest_weight(*on.surface->mesh),
                            .seed = seed});
 }
@@ -36,7 +36,7 @@ InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) 
 std::vector<bool> stated_for(std::span<const NamedPoint> queries, const PreparedSolver& solver) {
   std::vector<bool> stated;
   for (const NamedPoint& query : queries)
-    stated.push_back(query.place.vertex != no_index || solver.provides(factor_any_point));
+    stated.push_back(query.place.vertex != no_index || solver.provides(Provides::factor_any_point));
   return stated;
 }
 
@@ -56,7 +56,7 @@ std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& 
 GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& true_rows,
                               const ComparisonTruth& truth) {
   GuaranteeTerms terms{.factor = measured.solver.plugin.factor,
-                       .never_shorter = measured.solver.provides(never_shorter),
+                       .never_shorter = measured.solver.provides(Provides::never_shorter),
                        .exact_truth = truth.is_exact(),
                        .of_source = stated_for(on.sources, measured.solver),
                        .of_target = stated_for(on.targets.queries(), measured.solver),

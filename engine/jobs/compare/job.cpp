@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "engine/output/atomic_file.hpp"
-#include "engine/jobs/compare/page.hpp"
-#include "engine/jobs/compare/json.hpp"
-#include "engine/jobs/compare/text.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/compare/checks.hpp"
 #include "engine/jobs/compare/growth.hpp"
+#include "engine/jobs/compare/json.hpp"
+#include "engine/jobs/compare/page.hpp"
+#include "engine/jobs/compare/text.hpp"
 #include "engine/jobs/compare/view.hpp"
+#include "engine/output/atomic_file.hpp"
 #include "engine/surface/opened.hpp"
 #include "geodrome/engine/jobs.hpp"
 
@@ -104,7 +104,7 @@ class Comparison {
       figures.stage_seconds.emplace_back(stage.plugin.stage, stage.seconds);
     figures.cost = measured.cost;
     figures.factor = measured.solver.plugin.factor;
-    figures.never_shorter = measured.solver.provides(never_shorter);
+    figures.never_shorter = measured.solver.provides(Provides::never_shorter);
     figures.errors = compare_distances(measured.rows, true_rows);
     figures.invariants = checks_of(on, measured, settings_.seed);
     figures.guarantee = guarantee_of(on, measured, true_rows, truth_);

@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "engine/formats/base64.hpp"
-#include "engine/surface/input_rows.hpp"
 #include "engine/checks/seeded_subset.hpp"
+#include "engine/formats/base64.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/search/traced_path.hpp"
+#include "engine/surface/input_rows.hpp"
 
 namespace geodrome {
 
@@ -107,7 +107,7 @@ Json ComparisonView::source_json(const ComparedSurface& on, const Measurement& m
   std::vector<float> distances = without_search(query, vertices);
   Json traced = Json::array();
   if (query.place.state == Place::State::on_surface) {
-    const bool has_paths = paths_ > 0 && measured.solver.provides(paths);
+    const bool has_paths = paths_ > 0 && measured.solver.provides(Provides::paths);
     const Source from{query.place.at, 0};
     const ShortestPathMap& map =
         run_search(measured.solver, search, {&from, 1},

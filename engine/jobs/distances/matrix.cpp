@@ -6,11 +6,11 @@
 #include <atomic>
 #include <cstdio>
 
-#include "engine/surface/face_weight.hpp"
-#include "engine/search/counter_sum.hpp"
-#include "engine/search/parallel_rows.hpp"
 #include "engine/checks/matrix_view.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/search/counter_sum.hpp"
+#include "engine/search/parallel_rows.hpp"
+#include "engine/surface/face_weight.hpp"
 
 namespace geodrome {
 
@@ -132,15 +132,15 @@ std::vector<std::uint64_t> missing_rows(const MatrixFile& file, std::uint64_t ro
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
                             const MatrixFile& file, std::span<const NamedPoint> sources, const TargetList& targets) {
   const auto read = [&](std::uint64_t row) { return file.read(row); };
-  return check_invariants(
-      sources, targets.queries(), read,
-      {.factor = solver.plugin.factor,
-       .one_surface = job.query == ProjectionRule::project,
-       .bounded = job.query != ProjectionRule::printed && (targets.bounded() || solver.provides(never_shorter)),
-       .smallest_weight = smallest_weight(mesh),
-       .float32 = job.scalar == ScalarType::float32,
-       .radius = job.max_distance,
-       .seed = job.settings.seed});
+  return check_invariants(sources, targets.queries(), read,
+                          {.factor = solver.plugin.factor,
+                           .one_surface = job.query == ProjectionRule::project,
+                           .bounded = job.query != ProjectionRule::printed &&
+                                      (targets.bounded() || solver.provides(Provides::never_shorter)),
+                           .smallest_weight = smallest_weight(mesh),
+                           .float32 = job.scalar == ScalarType::float32,
+                           .radius = job.max_distance,
+                           .seed = job.settings.seed});
 }
 
 /// Reads the whole matrix once more, as it stands on disk, resumed rows included.

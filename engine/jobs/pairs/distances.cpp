@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "engine/checks/invariants.hpp"
-#include "engine/search/parallel_rows.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/search/parallel_rows.hpp"
 
 namespace geodrome {
 
@@ -87,7 +87,7 @@ PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver&
                              std::span<const NamedPair> pairs, unsigned threads, RunContext& context) {
   PairDistances result;
   ask(solver, oracle, pairs, threads, context, result);
-  check(*surface.mesh, solver.provides(never_shorter), pairs, result);
+  check(*surface.mesh, solver.provides(Provides::never_shorter), pairs, result);
   result.audit = audit_pairs(*surface.mesh, solver, pairs, result.values, context);
   if (surface.made_from == InputKind::points)
     for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/pairs/index.hpp"
 
-#include "engine/output/index_file.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/output/index_file.hpp"
 
 namespace geodrome {
 
@@ -34,10 +34,10 @@ void save(ReadyOracle& ready, const PreparedSolver& solver, const std::filesyste
 }  // namespace
 
 void demand_pair_queries(const PluginInfo& solver, const PluginHost& host) {
-  if (solver.provides & pair_queries) return;
+  if (has(solver.provides, Provides::pair_queries)) return;
   std::string able;
   for (const PluginInfo& plugin : host.list().usable)
-    if (plugin.stage == ShortestPathSolver::stage && (plugin.provides & pair_queries))
+    if (plugin.stage == ShortestPathSolver::stage && has(plugin.provides, Provides::pair_queries))
       able += (able.empty() ? "" : ", ") + plugin.name;
   throw CapabilityError(
       solver.full_name() + " does not provide distances of arbitrary pairs (pair_queries)",

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>  // defines the standard library's own macros
 
+#include "geodrome/capabilities.hpp"
 #include "geodrome/options.hpp"
 
 /// The border between engine and plugin: one C function, `geodrome_plugin`, returns a pointer to plain data that the
@@ -48,7 +49,8 @@ struct PluginDescriptor {
   std::uint32_t interface_version;  ///< geodrome::interface_version there
   const char* build_tag;            ///< geodrome::build_tag there
   const char *stage, *name, *summary, *licence;
-  std::uint64_t needs, provides;
+  Needs needs;
+  Provides provides;
   const OptionSpec* options;
   std::size_t option_count;
   double (*factor)(const OptionValues*) noexcept;                   ///< 1 exact, 1 + delta proven, +inf none

@@ -23,7 +23,8 @@ struct PluginTraits {
   const char* name;     ///< without the stage: "chen_han"
   const char* summary;  ///< one line: method and source
   const char* licence;  ///< SPDX identifier
-  std::uint64_t needs = 0, provides = 0;
+  Needs needs = Needs::nothing;
+  Provides provides = Provides::nothing;
   std::span<const OptionSpec> options = {};
   double (*factor)(const OptionValues*) noexcept = no_factor;
 };

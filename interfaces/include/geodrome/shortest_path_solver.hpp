@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "geodrome/capabilities.hpp"
 #include "geodrome/run_context.hpp"
 #include "geodrome/shortest_path_map.hpp"
 #include "geodrome/surface.hpp"
@@ -87,24 +88,6 @@ class GEODROME_VISIBLE ShortestPathSolver {
   /// The engine has checked the descriptor's `needs` against the mesh. Thread-safe.
   virtual std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const = 0;
 };
-
-/// What a solver can do beyond distances from vertices to vertices (`PluginDescriptor::provides`).
-enum Provides : std::uint64_t {
-  start_distances = 1,     ///< sources with a start distance above 0
-  face_sources = 2,        ///< sources that are no vertices
-  radius_limit = 4,        ///< Request::radius
-  target_limit = 8,        ///< Request::stop_at_targets
-  any_point = 16,          ///< ShortestPathMap::at anywhere
-  paths = 32,              ///< ShortestPathMap::path
-  path_is_distance = 64,   ///< the path's length is the distance
-  pair_queries = 128,      ///< PreparedSurface::pair_oracle, for any two points
-  weights = 256,           ///< SurfaceMesh::face_weights
-  factor_any_point = 512,  ///< the factor holds at any point, not only at vertices
-  never_shorter = 1024,    ///< no distance is below the true one; a finite factor implies it, stated or not
-};
-
-/// What a solver needs of a mesh (`PluginDescriptor::needs`).
-enum Needs : std::uint64_t { manifold = 1, oriented = 2, closed = 4 };
 
 /// The distances of all vertices from one source: the short way for a single question.
 inline std::vector<double> distances(const ShortestPathSolver& solver, MeshPtr mesh, const SurfacePoint& source) {

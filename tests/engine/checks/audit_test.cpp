@@ -25,9 +25,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-12;  ///< what a right map may show, relative to the largest distance
 constexpr double caught = 1e-9;     ///< what a fault must show at least
 
-constexpr std::uint64_t everything = any_point | paths | path_is_distance | factor_any_point;
-constexpr std::uint64_t paths_of_any_length = any_point | paths;
-constexpr std::uint64_t no_paths = any_point;
+constexpr Provides everything =
+    Provides::any_point | Provides::paths | Provides::path_is_distance | Provides::factor_any_point;
+constexpr Provides paths_of_any_length = Provides::any_point | Provides::paths;
+constexpr Provides no_paths = Provides::any_point;
 
 const Discovered<ShortestPathSolver>& exact_solver() {
   static const auto all = discovered<ShortestPathSolver>();
@@ -50,10 +51,10 @@ struct Exact {
         search(prepared->make_search()),
         map(&search->run(sources, {.keep = Keep::map}, context)) {}
 
-  AuditResult audit(const ShortestPathMap& of, std::uint64_t provides, double factor = 1) const {
+  AuditResult audit(const ShortestPathMap& of, Provides provides, double factor = 1) const {
     return geodrome::audit(*mesh, sources, of, provides, {.factor = factor});
   }
-  AuditResult audit_changed(std::uint64_t provides, FalsifiedMap::ChangeDistance distance,
+  AuditResult audit_changed(Provides provides, FalsifiedMap::ChangeDistance distance,
                             FalsifiedMap::ChangePath path = {}) const {
     return audit(FalsifiedMap(*map, std::move(distance), std::move(path)), provides);
   }
@@ -382,7 +383,7 @@ TEST(Audit, TakesTheShareOfFacesItIsAskedFor) {
 
 TEST(Audit, RefusesASolverThatCannotBeAskedAtAnyPoint) {
   const Exact exact = on_torus();
-  EXPECT_THROW(exact.audit(*exact.map, paths), CapabilityError);
+  EXPECT_THROW(exact.audit(*exact.map, Provides::paths), CapabilityError);
 }
 
 TEST(Audit, RefusesAShareOfNothing) {

@@ -14,7 +14,8 @@ namespace {
 using test::FalsifiedMap;
 
 constexpr double rounding = 1e-12, caught = 1e-3;
-constexpr std::uint64_t everything = any_point | paths | path_is_distance | factor_any_point;
+constexpr Provides everything =
+    Provides::any_point | Provides::paths | Provides::path_is_distance | Provides::factor_any_point;
 constexpr double dear = 4;
 
 /// The unit square, cut along x = y into a cheap half below (weight 1) and a dear one above (weight 4).

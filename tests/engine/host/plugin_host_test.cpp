@@ -151,8 +151,9 @@ TEST(PluginHost, InspectTellsAllThatTheDescriptorSays) {
   EXPECT_EQ(plugin.full_name(), "solver_test_straight");
   EXPECT_EQ(plugin.summary, "straight through space");
   EXPECT_EQ(plugin.licence, "MIT");
-  EXPECT_EQ(plugin.needs, manifold);
-  EXPECT_EQ(plugin.provides, start_distances | face_sources | never_shorter) << "the last follows from the factor";
+  EXPECT_EQ(plugin.needs, Needs::manifold);
+  EXPECT_EQ(plugin.provides, Provides::start_distances | Provides::face_sources | Provides::never_shorter)
+      << "the last follows from the factor";
   EXPECT_EQ(plugin.default_factor, 1.5);
   ASSERT_EQ(plugin.options.size(), 4u);
   EXPECT_EQ(plugin.options[1].maximum, std::numeric_limits<double>::infinity());

@@ -4,6 +4,6 @@
 
 GEODROME_BAD_ENTRY([] {
   auto plugin = geodrome::bad::descriptor("bad_needs");
-  plugin.needs = std::uint64_t{1} << 40;
+  plugin.needs = geodrome::Needs{std::uint64_t{1} << 40};
   return plugin;
 }())

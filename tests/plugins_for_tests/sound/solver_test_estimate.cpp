@@ -3,4 +3,4 @@
 #include "tests/plugins_for_tests/sound/straight_solver.hpp"
 
 GEODROME_PLUGIN(geodrome::bad::StraightSolver<>, .name = "test_estimate", .summary = "straight through space",
-                .licence = "MIT", .provides = geodrome::start_distances)
+                .licence = "MIT", .provides = geodrome::Provides::start_distances)

@@ -135,4 +135,4 @@ class Solver : public ShortestPathSolver {
 }  // namespace
 
 GEODROME_PLUGIN(Solver, .name = "test_pairs", .summary = "a table of all pairs of vertices", .licence = "MIT",
-                .provides = ChenHanSolver::provides | pair_queries, .options = options, .factor = factor)
+                .provides = ChenHanSolver::provides | Provides::pair_queries, .options = options, .factor = factor)

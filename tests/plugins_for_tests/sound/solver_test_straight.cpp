@@ -23,5 +23,6 @@ class Solver : public geodrome::bad::StraightSolver<> {
 }  // namespace
 
 GEODROME_PLUGIN(Solver, .name = "test_straight", .summary = "straight through space", .licence = "MIT",
-                .needs = geodrome::manifold, .provides = geodrome::start_distances | geodrome::face_sources,
-                .options = options, .factor = factor)
+                .needs = geodrome::Needs::manifold,
+                .provides = geodrome::Provides::start_distances | geodrome::Provides::face_sources, .options = options,
+                .factor = factor)

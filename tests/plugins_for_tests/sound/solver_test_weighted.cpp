@@ -93,5 +93,6 @@ class WeightedSolver : public ShortestPathSolver {
 }  // namespace geodrome
 
 GEODROME_PLUGIN(geodrome::WeightedSolver, .name = "test_weighted", .summary = "along edges, weighted", .licence = "MIT",
-                .provides = geodrome::weights | geodrome::paths | geodrome::path_is_distance | geodrome::never_shorter,
+                .provides = geodrome::Provides::weights | geodrome::Provides::paths |
+                            geodrome::Provides::path_is_distance | geodrome::Provides::never_shorter,
                 .factor = geodrome::no_factor)

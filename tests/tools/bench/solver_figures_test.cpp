@@ -9,11 +9,11 @@
 #include <sstream>
 
 #include "engine/report/memory.hpp"
-#include "tools/bench/solvers/search_figures.hpp"
 #include "tools/bench/solvers/growth.hpp"
 #include "tools/bench/solvers/memory.hpp"
 #include "tools/bench/solvers/repeat.hpp"
 #include "tools/bench/solvers/runner.hpp"
+#include "tools/bench/solvers/search_figures.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome::bench {
@@ -79,7 +79,8 @@ class CountingSolver final : public ShortestPathSolver {
   Tally& tally_;
 };
 
-Plugin<ShortestPathSolver> counting_solver(Tally& tally, std::uint64_t needs = 0, std::uint64_t provides = paths) {
+Plugin<ShortestPathSolver> counting_solver(Tally& tally, Needs needs = Needs::nothing,
+                                           Provides provides = Provides::paths) {
   Plugin<ShortestPathSolver> plugin;
   plugin.object = std::make_shared<const CountingSolver>(tally);
   plugin.info.stage = ShortestPathSolver::stage, plugin.info.name = "counting";
@@ -187,7 +188,8 @@ TEST(SolverMemory, SeesWhatASearchTouches) {
 
 TEST(SolverMemory, OfAMapIsRefusedWhereThereIsNone) {
   Tally tally;
-  EXPECT_THROW(search_memory(counting_solver(tally, 0, 0), icosphere(20), 0, Keep::map), CapabilityError);
+  EXPECT_THROW(search_memory(counting_solver(tally, Needs::nothing, Provides::nothing), icosphere(20), 0, Keep::map),
+               CapabilityError);
 }
 
 TEST(SolverRunner, RefusesASurfaceThatLacksWhatTheSolverNeeds) {

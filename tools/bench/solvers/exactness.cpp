@@ -147,12 +147,12 @@ class Judge {
 
   /// A peer that traces no paths is believed.
   double peer_path_length(const SurfacePoint& from, double value) const {
-    return peer_->provides(paths) ? peer_->path_length(from) : value;
+    return peer_->provides(Provides::paths) ? peer_->path_length(from) : value;
   }
 
   /// From all sources, with start distances: the least of what each gave alone.
   void judge_together(std::span<const SourcePair> sources, const Places& places) {
-    if (sources.size() < 2 || !solver_->provides(start_distances)) return;
+    if (sources.size() < 2 || !solver_->provides(Provides::start_distances)) return;
     std::vector<Source> all;
     shapes::Random random(options_.seed);
     const double latest = 0.3 * largest_finite(single_runs_.front());

@@ -26,7 +26,7 @@ void add_excess(FactorFigures& figures, double excess) {
 /// What the solver can be asked at: vertices, and the points in faces if it provides them.
 std::span<const SurfacePoint> answerable(const Witness& solver, const ExactDistances& exact) {
   const std::span<const SurfacePoint> places(exact.places);
-  return solver.provides(any_point) ? places : places.first(exact.vertices);
+  return solver.provides(Provides::any_point) ? places : places.first(exact.vertices);
 }
 
 /// A search that keeps no more than the places, and its time.
@@ -47,10 +47,10 @@ ExactDistances exact_distances(const Plugin<ShortestPathSolver>& solver, const M
   for (Index v = 0; v < mesh->vertex_count(); ++v)
     if (mesh->first_half_edge(v) != no_index) result.places.push_back(mesh->at_vertex(v));
   result.vertices = result.places.size();
-  for (std::size_t i = 0; i < options.points && exact.provides(any_point); ++i)
+  for (std::size_t i = 0; i < options.points && exact.provides(Provides::any_point); ++i)
     result.places.push_back(random_inner_point(*mesh, random));
   for (std::size_t i = 0; i < options.sources; ++i) {
-    const bool in_face = i % 2 == 1 && exact.provides(face_sources);
+    const bool in_face = i % 2 == 1 && exact.provides(Provides::face_sources);
     result.sources.push_back(in_face ? random_inner_point(*mesh, random) : random_vertex(*mesh, random));
   }
   for (const SurfacePoint& source : result.sources) {
@@ -87,12 +87,12 @@ FactorResult judge_factor(const Plugin<ShortestPathSolver>& solver, const ExactD
   result.prepare_seconds =
       seconds_of([&] { witness = std::make_unique<Witness>(solver, exact.mesh, options.seconds); });
   const auto places = answerable(*witness, exact);
-  const std::size_t judged = witness->provides(factor_any_point) ? places.size() : exact.vertices;
+  const std::size_t judged = witness->provides(Provides::factor_any_point) ? places.size() : exact.vertices;
   std::vector<double> seconds, exact_seconds;
   std::map<std::string, std::vector<double>> counted;
   for (std::size_t s = 0; s < exact.sources.size(); ++s) {
     const bool at_vertex = exact.mesh->vertex_at(exact.sources[s]) != no_index;
-    if (!at_vertex && !witness->provides(face_sources)) continue;
+    if (!at_vertex && !witness->provides(Provides::face_sources)) continue;
     seconds.push_back(timed_search(*witness, exact.sources[s], exact)), exact_seconds.push_back(exact.seconds[s]);
     add_places(result.figures, exact.from[s], witness->at(places), result.factor, judged);
     for (const Counter& counter : witness->counters())

@@ -9,7 +9,8 @@
 namespace geodrome::bench {
 
 SearchMemory search_memory(const Plugin<ShortestPathSolver>& solver, const MeshPtr& mesh, Index source, Keep keep) {
-  if (keep == Keep::map && !(solver.info.provides & (any_point | paths)))
+  if (keep == Keep::map && !has(solver.info.provides, Provides::any_point) &&
+      !has(solver.info.provides, Provides::paths))
     throw CapabilityError(solver.info.full_name() + " keeps no map: it provides neither any_point nor paths");
   SolverRunner runner(solver, mesh);
   // What reading the mesh has freed but not returned would be used by the solver without being seen.

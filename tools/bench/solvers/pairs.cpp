@@ -8,8 +8,8 @@
 #include <streambuf>
 
 #include "engine/report/median.hpp"
-#include "tools/bench/solvers/search_figures.hpp"
 #include "tools/bench/solvers/runner.hpp"
+#include "tools/bench/solvers/search_figures.hpp"
 #include "tools/shapes/random.hpp"
 
 namespace geodrome::bench {
@@ -45,8 +45,8 @@ class CountingBuffer final : public std::streambuf {
   std::uint64_t bytes_ = 0;
 };
 
-void demand(const PluginInfo& solver, std::uint64_t bits, const char* what) {
-  if ((solver.provides & bits) != bits) throw CapabilityError(solver.full_name() + " does not provide " + what);
+void demand(const PluginInfo& solver, Provides bits, const char* what) {
+  if (!has(solver.provides, bits)) throw CapabilityError(solver.full_name() + " does not provide " + what);
 }
 
 SurfacePoint random_vertex(const SurfaceMesh& mesh, shapes::Random& random) {
@@ -91,7 +91,7 @@ std::vector<double> search(const Prepared& prepared, Search& search, const Surfa
 /// One pair a search; the first one is not timed.
 SearchSeconds time_searches(const Prepared& prepared, const PairSet& pairs, std::size_t count) {
   const auto own = prepared.make_search();
-  const bool stop = (prepared.plugin.info.provides & target_limit) != 0;
+  const bool stop = has(prepared.plugin.info.provides, Provides::target_limit);
   const auto one = [&](std::size_t i) { search(prepared, *own, pairs.sources[i], {pairs.targets[i].data(), 1}, stop); };
   one(0);
   std::vector<double> times;
@@ -186,7 +186,8 @@ PairSet choose_pairs(const SurfaceMesh& mesh, const PairOptions& options) {
 
 PairTruth truth_of(const Plugin<ShortestPathSolver>& peer, const MeshPtr& mesh, const PairSet& pairs,
                    const PairOptions& options) {
-  demand(peer.info, face_sources | any_point | factor_any_point, "distances between any points");
+  demand(peer.info, Provides::face_sources | Provides::any_point | Provides::factor_any_point,
+         "distances between any points");
   if (peer.factor != 1) throw CapabilityError(peer.info.full_name() + " is not exact");
   QuietContext context;
   const Prepared prepared(peer, mesh, context);
@@ -199,7 +200,7 @@ PairTruth truth_of(const Plugin<ShortestPathSolver>& peer, const MeshPtr& mesh, 
 
 PairFigures pair_figures(const Plugin<ShortestPathSolver>& solver, const MeshPtr& mesh, const PairSet& pairs,
                          const PairTruth& truth, const PairOptions& options) {
-  demand(solver.info, pair_queries, "distances of arbitrary pairs (pair_queries)");
+  demand(solver.info, Provides::pair_queries, "distances of arbitrary pairs (pair_queries)");
   ThreadedContext context(options.threads);
   const Prepared prepared(solver, mesh, context);
   PairFigures figures;
@@ -210,8 +211,8 @@ PairFigures pair_figures(const Plugin<ShortestPathSolver>& solver, const MeshPtr
   figures.bytes = saved_bytes(solver, *oracle);
   const auto answers = ask(solver, *oracle, pairs, figures);
   figures.searching = time_searches(prepared, pairs, options.searches);
-  Comparison comparison(solver.factor, (solver.info.provides & factor_any_point) != 0, largest_finite(truth.distances),
-                        figures);
+  Comparison comparison(solver.factor, has(solver.info.provides, Provides::factor_any_point),
+                        largest_finite(truth.distances), figures);
   const auto is_vertex = [&](const SurfacePoint& point) { return mesh->vertex_at(point) != no_index; };
   for (std::size_t i = 0; i < answers.size(); ++i)
     for (std::size_t j = 0; j < answers[i].size(); ++j)

@@ -6,8 +6,9 @@
 namespace geodrome::bench {
 
 void require_needs(const PluginInfo& solver, const SurfaceMesh& mesh) {
-  const auto demand = [&](std::uint64_t bit, bool given, const char* what) {
-    if ((solver.needs & bit) && !given) throw CapabilityError(solver.full_name() + " needs a surface that is " + what);
+  const auto demand = [&](Needs bit, bool given, const char* what) {
+    if (has(solver.needs, bit) && !given)
+      throw CapabilityError(solver.full_name() + " needs a surface that is " + what);
   };
   demand(Needs::manifold, mesh.manifold(), "manifold");
   demand(Needs::oriented, mesh.oriented(), "oriented");

@@ -51,7 +51,7 @@ class Witness {
   AuditResult audited() const;
 
   const SurfaceMesh& mesh() const { return *mesh_; }
-  bool provides(std::uint64_t bits) const { return (plugin_.info.provides & bits) == bits; }
+  bool provides(Provides bits) const { return has(plugin_.info.provides, bits); }
 
  private:
   Plugin<ShortestPathSolver> plugin_;

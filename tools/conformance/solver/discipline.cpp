@@ -84,7 +84,7 @@ void used_again(SolverTrial& t) {
 }
 
 void used_on_a_limit(SolverTrial& t) {
-  t.needs(radius_limit);
+  t.needs(Provides::radius_limit);
   const MeshPtr mesh = usual_mesh(t);
   Running used(t.plugin, mesh);
   used.run({{mesh->at_vertex(3)}}, {.radius = 2});
@@ -164,7 +164,7 @@ void memory_of_searches(SolverTrial& t) {
   std::vector<SurfacePoint> path;
   const auto search = [&] {
     const ShortestPathMap& map = running.run({{mesh->at_vertex(7)}}, {.keep = Keep::map});
-    if (t.has(paths)) map.path(mesh->at_vertex(100), path);
+    if (t.has(Provides::paths)) map.path(mesh->at_vertex(100), path);
   };
   keeps_nothing(t, search, 200, "searches");
 }

@@ -42,7 +42,7 @@ void needles(SolverTrial& t) {
 }
 
 void plane_any_point(SolverTrial& t) {
-  t.needs(any_point | face_sources);
+  t.needs(Provides::any_point | Provides::face_sources);
   const MeshPtr mesh = plane_grid(5, true);
   t.needs_fit(mesh);
   std::mt19937_64 random(3);
@@ -53,8 +53,9 @@ void plane_any_point(SolverTrial& t) {
     for (int j = 0; j < 40; ++j) {
       const SurfacePoint to = random_point(*mesh, random);
       const double truth = geodrome::distance(mesh->position(from), mesh->position(to)), value = map.at(to).value;
-      if (t.has(never_shorter)) t.at_least(value, truth - rounding * 7, "shorter than straight, at face ", to.face);
-      if (t.has(factor_any_point))
+      if (t.has(Provides::never_shorter))
+        t.at_least(value, truth - rounding * 7, "shorter than straight, at face ", to.face);
+      if (t.has(Provides::factor_any_point))
         t.at_most(value, t.plugin.factor * truth + rounding * 7, "at face ", to.face, " from face ", from.face);
       else
         t.holds(std::isfinite(value), "finite", "at face ", to.face);

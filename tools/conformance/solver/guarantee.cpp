@@ -15,7 +15,7 @@ MeshPtr share(SurfaceMesh mesh) { return std::make_shared<const SurfaceMesh>(std
 
 /// Whether the solver states more than that reachable is finite.
 void needs_a_bound(const SolverTrial& t) {
-  if (!t.has(never_shorter)) throw NotApplicable{"the solver states neither factor nor never_shorter"};
+  if (!t.has(Provides::never_shorter)) throw NotApplicable{"the solver states neither factor nor never_shorter"};
 }
 
 /// A vertex on some face.
@@ -27,11 +27,12 @@ Index some_vertex(const SurfaceMesh& mesh, std::mt19937_64& random) {
 void compare(SolverTrial& t, Running& judged, Running& truth, const MeshPtr& mesh, const SurfacePoint& from,
              std::mt19937_64& random, const std::string& name) {
   const ShortestPathMap& wanted = truth.map({{from}});
-  const ShortestPathMap& values = judged.run({{from}}, {.keep = t.has(any_point) ? Keep::map : Keep::targets});
+  const ShortestPathMap& values =
+      judged.run({{from}}, {.keep = t.has(Provides::any_point) ? Keep::map : Keep::targets});
   const double scale = largest_finite(wanted.vertices());
   for (Index v = 0; v < mesh->vertex_count(); ++v)
     t.distance(values.vertices()[v], wanted.vertices()[v], scale, name, ", vertex ", v);
-  if (!t.has(any_point) || (t.has_factor() && !t.has(factor_any_point))) return;
+  if (!t.has(Provides::any_point) || (t.has_factor() && !t.has(Provides::factor_any_point))) return;
   for (int k = 0; k < 60; ++k) {
     const SurfacePoint at = random_point(*mesh, random);
     t.distance(values.at(at).value, wanted.at(at).value, scale, name, ", face ", at.face);
@@ -43,7 +44,7 @@ void against(SolverTrial& t, const SolverPlugin& exact, const MeshPtr& mesh, int
   std::mt19937_64 random(mesh->face_count());
   Running judged(t.plugin, mesh), truth(exact, mesh);
   for (int s = 0; s < sources; ++s) {
-    const bool in_face = s % 2 == 1 && t.has(face_sources);
+    const bool in_face = s % 2 == 1 && t.has(Provides::face_sources);
     const SurfacePoint from = in_face ? random_point(*mesh, random) : mesh->at_vertex(some_vertex(*mesh, random));
     compare(t, judged, truth, mesh, from, random, text(name, " by ", exact.info.name, ", source on face ", from.face));
   }
@@ -109,8 +110,8 @@ std::vector<SurfacePoint> around(const SurfaceMesh& mesh, Index vertex, double s
 }
 
 void close_pairs(SolverTrial& t) {
-  t.needs(face_sources | any_point | never_shorter);
-  if (t.has_factor()) t.needs(factor_any_point);
+  t.needs(Provides::face_sources | Provides::any_point | Provides::never_shorter);
+  if (t.has_factor()) t.needs(Provides::factor_any_point);
   const MeshPtr mesh = bumpy_torus(16, 8, 0.1, 71);
   t.needs_fit(mesh);
   Running judged(t.plugin, mesh), truth(t.reference(), mesh);

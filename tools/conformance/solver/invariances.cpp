@@ -22,7 +22,7 @@ std::vector<std::vector<double>> rows(SolverTrial& t, const MeshPtr& mesh, Index
 }
 
 void straight_line(SolverTrial& t) {
-  t.needs(never_shorter);
+  t.needs(Provides::never_shorter);
   const MeshPtr mesh = bumpy_torus(20, 10, 0.1, 13);
   t.needs_fit(mesh);
   const std::vector<double> values = row(t, mesh, 7);

@@ -22,7 +22,7 @@ struct Oracle {
 
   /// Built, or read from `payload`. Leaves the demand if the solver has none.
   Oracle(const SolverTrial& t, const MeshPtr& mesh, RunContext& context, const std::string* payload = nullptr) {
-    t.needs(pair_queries);
+    t.needs(Provides::pair_queries);
     prepared = t.plugin.object->prepare(mesh, context);
     std::istringstream stream(payload ? *payload : "");
     oracle = prepared->pair_oracle(payload ? &stream : nullptr, context);
@@ -78,14 +78,14 @@ void within_factor(SolverTrial& t, const MeshPtr& mesh, const Points& points, bo
 }
 
 void vertices(SolverTrial& t) {
-  t.needs(pair_queries);
+  t.needs(Provides::pair_queries);
   const MeshPtr mesh = usual_mesh();
   within_factor(t, mesh, some_vertices(*mesh, 25, 1), true);
 }
 
 void any_points(SolverTrial& t) {
-  t.needs(pair_queries);
-  const bool promised = t.has(factor_any_point);
+  t.needs(Provides::pair_queries);
+  const bool promised = t.has(Provides::factor_any_point);
   const MeshPtr mesh = usual_mesh(), torus = bumpy_torus(18, 9, 0.08, 5);
   within_factor(t, mesh, some_points(*mesh, 20, 2), promised);
   within_factor(t, torus, some_points(*torus, 15, 3), promised);
@@ -93,17 +93,17 @@ void any_points(SolverTrial& t) {
 
 /// Pairs that a region of the surface holds both ends of, often answered in another way than others.
 void neighbours(SolverTrial& t) {
-  t.needs(pair_queries);
+  t.needs(Provides::pair_queries);
   Points points;
   for (const Index face : {40u, 41u, 42u, 43u})
     for (const double b : {0.02, 0.3, 0.9}) points.push_back({face, {b, 0.4 * (1 - b), 1 - b - 0.4 * (1 - b)}});
-  within_factor(t, usual_mesh(), points, t.has(factor_any_point));
+  within_factor(t, usual_mesh(), points, t.has(Provides::factor_any_point));
 }
 
 void symmetry(SolverTrial& t) {
   const MeshPtr mesh = usual_mesh();
   const Oracle oracle(t, mesh);
-  const Points points = t.has(factor_any_point) ? some_points(*mesh, 20, 4) : some_vertices(*mesh, 20, 4);
+  const Points points = t.has(Provides::factor_any_point) ? some_points(*mesh, 20, 4) : some_vertices(*mesh, 20, 4);
   for (const SurfacePoint& a : points)
     for (const SurfacePoint& b : points)
       t.at_most(oracle(a, b), t.factor_or_one() * oracle(b, a) + rounding * scale, "faces ", a.face, " and ", b.face);
@@ -132,7 +132,7 @@ void names_of_a_vertex(SolverTrial& t) {
 
 void components(SolverTrial& t) {
   const MeshPtr mesh = both(octahedron(), mapped(octahedron(), [](const Vec3& p) { return p + Vec3{5, 0, 0}; }));
-  t.needs(pair_queries);
+  t.needs(Provides::pair_queries);
   t.needs_fit(mesh);
   const Oracle oracle(t, mesh);
   for (Index from = 0; from < 16; ++from)
@@ -223,7 +223,7 @@ void threads(SolverTrial& t) {
 }
 
 void cancelled(SolverTrial& t) {
-  t.needs(pair_queries);
+  t.needs(Provides::pair_queries);
   QuietContext quiet;
   const auto prepared = t.plugin.object->prepare(usual_mesh(), quiet);
   CancelAfter at_once(0);
@@ -232,7 +232,7 @@ void cancelled(SolverTrial& t) {
 }
 
 void none_if_not_provided(SolverTrial& t) {
-  if (t.has(pair_queries)) throw NotApplicable{"the solver provides pair_queries"};
+  if (t.has(Provides::pair_queries)) throw NotApplicable{"the solver provides pair_queries"};
   const MeshPtr mesh = usual_mesh();
   t.needs_fit(mesh);
   QuietContext quiet;

@@ -27,13 +27,13 @@ void judge_path(SolverTrial& t, const SurfaceMesh& mesh, const CommonFace& commo
     t.holds(step.has_value(), "a step within a face", "step ", i, " from face ", point.face);
     length += step.value_or(0);
   }
-  if (t.has(path_is_distance))
+  if (t.has(Provides::path_is_distance))
     t.near(length, map.at(point).value, rounding * scale, "length, from face ", point.face);
   else
     t.at_least(length, map.at(point).value - rounding * scale, "length, from face ", point.face);
 }
 
-void to_sources(SolverTrial& t, std::uint64_t bits, int corner_sources) {
+void to_sources(SolverTrial& t, Provides bits, int corner_sources) {
   t.needs(bits);
   const MeshPtr mesh = terrain(11, 1.5, 61);
   t.needs_fit(mesh);
@@ -48,17 +48,18 @@ void to_sources(SolverTrial& t, std::uint64_t bits, int corner_sources) {
   }
   const ShortestPathMap& map = running.map(sources);
   for (int i = 0; i < 80; ++i) {
-    const SurfacePoint point = t.has(any_point) ? random_point(*mesh, random)
-                                                : mesh->at_vertex(static_cast<Index>(random() % mesh->vertex_count()));
+    const SurfacePoint point = t.has(Provides::any_point)
+                                   ? random_point(*mesh, random)
+                                   : mesh->at_vertex(static_cast<Index>(random() % mesh->vertex_count()));
     judge_path(t, *mesh, common, map, point, at, 15);
   }
 }
 
-void from_vertices(SolverTrial& t) { to_sources(t, paths, 3); }
-void from_face_sources(SolverTrial& t) { to_sources(t, paths | face_sources, 0); }
+void from_vertices(SolverTrial& t) { to_sources(t, Provides::paths, 3); }
+void from_face_sources(SolverTrial& t) { to_sources(t, Provides::paths | Provides::face_sources, 0); }
 
 void none_from_another_component(SolverTrial& t) {
-  t.needs(paths);
+  t.needs(Provides::paths);
   const MeshPtr one = plane_grid(5), mesh = both(one, mapped(one, [](const Vec3&p) { return p + Vec3{0, 0, 50}; }));
   t.needs_fit(mesh);
   Running running(t.plugin, mesh);
@@ -68,7 +69,7 @@ void none_from_another_component(SolverTrial& t) {
 }
 
 void from_the_source(SolverTrial& t) {
-  t.needs(paths);
+  t.needs(Provides::paths);
   const MeshPtr mesh = terrain(6, 1, 63);
   t.needs_fit(mesh);
   Running running(t.plugin, mesh);

@@ -32,7 +32,7 @@ void source_vertex(SolverTrial& t) {
 }
 
 void source_anywhere(SolverTrial& t) {
-  t.needs(face_sources | any_point);
+  t.needs(Provides::face_sources | Provides::any_point);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   for (const SurfacePoint& point : some_points(*mesh, 30, 67))
@@ -41,7 +41,7 @@ void source_anywhere(SolverTrial& t) {
 
 /// A point on an edge has a name in each face of the edge, a vertex one in each of its faces: all mean the same point.
 void names_of_a_source(SolverTrial& t) {
-  t.needs(face_sources);
+  t.needs(Provides::face_sources);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   for (Index h = 0; h < mesh->twins().size(); h += 23) {
@@ -84,7 +84,7 @@ void first_of_two(SolverTrial& t) {
 }
 
 void start_distance(SolverTrial& t) {
-  t.needs(start_distances);
+  t.needs(Provides::start_distances);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const auto plain = copy(running.run({{mesh->at_vertex(20)}}).vertices());
@@ -96,7 +96,7 @@ void start_distance(SolverTrial& t) {
 }
 
 void radius(SolverTrial& t) {
-  t.needs(radius_limit);
+  t.needs(Provides::radius_limit);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const auto all = copy(running.run({{mesh->at_vertex(60)}}).vertices());
@@ -111,7 +111,7 @@ void radius(SolverTrial& t) {
 }
 
 void radius_and_components(SolverTrial& t) {
-  t.needs(radius_limit);
+  t.needs(Provides::radius_limit);
   const MeshPtr mesh = both(plane_grid(4), mapped(plane_grid(4), [](const Vec3& p) { return p + Vec3{0, 0, 9}; }));
   t.needs_fit(mesh);
   Running running(t.plugin, mesh);
@@ -123,7 +123,7 @@ void radius_and_components(SolverTrial& t) {
 }
 
 void targets_are_kept(SolverTrial& t) {
-  t.needs(any_point);
+  t.needs(Provides::any_point);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const std::vector<SurfacePoint> targets = some_points(*mesh, 40, 71);
@@ -136,7 +136,7 @@ void targets_are_kept(SolverTrial& t) {
 }
 
 void what_was_not_kept(SolverTrial& t) {
-  t.needs(any_point | paths);
+  t.needs(Provides::any_point | Provides::paths);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const SurfacePoint target{0, {0.25, 0.25, 0.5}}, other{0, {0.5, 0.25, 0.25}};
@@ -148,17 +148,18 @@ void what_was_not_kept(SolverTrial& t) {
 }
 
 void what_is_not_provided(SolverTrial& t) {
-  if (t.has(any_point | paths)) throw NotApplicable{"the solver provides any_point and paths"};
+  if (t.has(Provides::any_point | Provides::paths)) throw NotApplicable{"the solver provides any_point and paths"};
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const ShortestPathMap& map = running.map({{mesh->at_vertex(9)}});
   std::vector<SurfacePoint> path;
-  if (!t.has(any_point)) t.throws<CapabilityError>([&] { map.at({0, {0.25, 0.25, 0.5}}); }, "a point in a face");
-  if (!t.has(paths)) t.throws<CapabilityError>([&] { map.path(mesh->at_vertex(3), path); }, "a path");
+  if (!t.has(Provides::any_point))
+    t.throws<CapabilityError>([&] { map.at({0, {0.25, 0.25, 0.5}}); }, "a point in a face");
+  if (!t.has(Provides::paths)) t.throws<CapabilityError>([&] { map.path(mesh->at_vertex(3), path); }, "a path");
 }
 
 void point_off_the_mesh(SolverTrial& t) {
-  t.needs(any_point);
+  t.needs(Provides::any_point);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const ShortestPathMap& map = running.map({{mesh->at_vertex(9)}});
@@ -172,7 +173,7 @@ void point_off_the_mesh(SolverTrial& t) {
 }
 
 void stop_at_targets(SolverTrial& t) {
-  t.needs(target_limit | any_point);
+  t.needs(Provides::target_limit | Provides::any_point);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const ShortestPathMap& full = running.map({{mesh->at_vertex(0)}});
@@ -193,7 +194,7 @@ void stop_at_targets(SolverTrial& t) {
 }
 
 void stopping_saves_work(SolverTrial& t) {
-  t.needs(target_limit);
+  t.needs(Provides::target_limit);
   const MeshPtr mesh = request_mesh(t);
   Running running(t.plugin, mesh);
   const SurfacePoint near = mesh->at_vertex(1);

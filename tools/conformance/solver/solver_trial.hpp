@@ -9,7 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "engine/report/capability_words.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "tools/conformance/demand_table.hpp"
 #include "tools/shapes/small_meshes.hpp"
@@ -75,22 +74,22 @@ class Threads : public QuietContext {
 struct SolverTrial : StageTrial<ShortestPathSolver> {
   using StageTrial::StageTrial;
 
-  bool has(std::uint64_t bits) const { return (plugin.info.provides & bits) == bits; }
+  bool has(Provides bits) const { return geodrome::has(plugin.info.provides, bits); }
   bool exact() const { return plugin.factor == 1; }
   bool has_factor() const { return std::isfinite(plugin.factor); }
   /// For sums and comparisons of several distances, each of which may be too long by the factor.
   double factor_or_one() const { return has_factor() ? plugin.factor : 1; }
 
-  void needs(std::uint64_t bits) const {
+  void needs(Provides bits) const {
     std::string missing;
-    for (const std::string& word : provides_words(bits & ~plugin.info.provides))
+    for (const std::string& word : words_of(bits & ~plugin.info.provides))
       missing += (missing.empty() ? "" : ", ") + word;
     if (!missing.empty()) throw NotApplicable{"the solver does not provide " + missing};
   }
   bool fits(const SurfaceMesh& mesh) const {
-    const std::uint64_t needed = plugin.info.needs;
-    return (!(needed & manifold) || mesh.manifold()) && (!(needed & oriented) || mesh.oriented()) &&
-           (!(needed & closed) || mesh.closed());
+    const auto needed = [this](Needs bit) { return geodrome::has(plugin.info.needs, bit); };
+    return (!needed(Needs::manifold) || mesh.manifold()) && (!needed(Needs::oriented) || mesh.oriented()) &&
+           (!needed(Needs::closed) || mesh.closed());
   }
   void needs_fit(const MeshPtr& mesh) const {
     if (!fits(*mesh)) throw NotApplicable{"the solver states that it needs another kind of mesh"};
@@ -102,7 +101,7 @@ struct SolverTrial : StageTrial<ShortestPathSolver> {
   /// `value` must be a distance of this solver where the true one is `truth`; errors are relative to `scale`.
   template <class... Where>
   void distance(double value, double truth, double scale, const Where&... where) {
-    if (has(never_shorter))
+    if (has(Provides::never_shorter))
       at_least(value, truth - rounding * scale, "shorter than the truth: ", where...);
     else
       holds(truth == infinity ? value == infinity : std::isfinite(value) && value >= 0,

@@ -168,14 +168,14 @@ void audit_of(SolverTrial& t, const MeshPtr& mesh, const std::vector<Source>& so
   const AuditResult result = audit(*mesh, sources, running.map(sources), t.plugin.info.provides,
                                    {.factor = t.plugin.factor, .points_per_edge = 3});
   t.holds(result.paths > 0, "some paths are traced", name);
-  if (t.has(any_point) && t.has_factor())
+  if (t.has(Provides::any_point) && t.has_factor())
     t.at_most(result.worst_lipschitz, rounding, name, ", jump on a face: ", result.where);
   t.at_most(result.worst_path, rounding, name, ", length of a path against its distance: ", result.where);
 }
 
 /// Exact symmetry: straight lines run through flat vertices, where wavefronts meet.
 void audit_of_flat_surfaces(SolverTrial& t) {
-  t.needs(any_point | paths);
+  t.needs(Provides::any_point | Provides::paths);
   const std::pair<const char*, MeshPtr> meshes[] = {
       {"plane", plane_grid(8)}, {"crossed plane", plane_grid(8, true)}, {"cube", cube()}, {"prism", prism(12, 8, 0.2)}};
   for (const auto& [name, mesh] : meshes) {
@@ -185,7 +185,7 @@ void audit_of_flat_surfaces(SolverTrial& t) {
 }
 
 void audit_of_rough_surfaces(SolverTrial& t) {
-  t.needs(any_point | paths);
+  t.needs(Provides::any_point | Provides::paths);
   const MeshPtr torus = bumpy_torus(18, 10, 0.08, 31);
   audit_of(t, torus, {{torus->at_vertex(11)}}, "bumpy torus");
   const MeshPtr stretched = mapped(terrain(9, 1, 53), [](const Vec3& p) { return Vec3{p.x, 300 * p.y, p.z}; });
@@ -195,7 +195,7 @@ void audit_of_rough_surfaces(SolverTrial& t) {
 /// Paths cross several faces without area at one place, one after the other. A solver that cannot trace such a path may
 /// say so; a path of another length is no answer.
 void audit_of_seams(SolverTrial& t) {
-  t.needs(any_point | paths);
+  t.needs(Provides::any_point | Provides::paths);
   for (const Index count : {1, 2, 5, 10}) {
     const MeshPtr mesh = seam(count, count);
     t.needs_fit(mesh);
@@ -208,14 +208,14 @@ void audit_of_seams(SolverTrial& t) {
 }
 
 void audit_with_many_sources(SolverTrial& t) {
-  t.needs(any_point | paths | face_sources);
+  t.needs(Provides::any_point | Provides::paths | Provides::face_sources);
   const MeshPtr mesh = terrain(12, 3, 37);
   t.needs_fit(mesh);
   std::mt19937_64 random(41);
   std::vector<Source> sources;
   for (int i = 0; i < 5; ++i) sources.push_back({random_point(*mesh, random)});
   audit_of(t, mesh, sources, "terrain");
-  if (!t.has(start_distances)) return;
+  if (!t.has(Provides::start_distances)) return;
   for (Source& source : sources) source.start = 3 * uniform(random);
   audit_of(t, mesh, sources, "terrain, with start distances");
 }

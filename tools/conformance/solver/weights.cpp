@@ -74,7 +74,7 @@ void half_planes(SolverTrial& t, const MeshPtr& plane, const HalfPlanes& half, I
 
 /// Between vertices the border is reached anywhere, in the second case in corridors of needles.
 void refraction(SolverTrial& t) {
-  t.needs(weights);
+  t.needs(Provides::weights);
   const MeshPtr plane = mapped(plane_grid(8, true), [](const Vec3& p) { return p - Vec3{4, 0, 0}; });
   for (const double left : {1.2, 2.0, 10.0}) half_planes(t, plane, {left, 1}, 7);
   const MeshPtr stretched = mapped(plane_grid(6, true), [](const Vec3& p) { return Vec3{p.x - 3, 5 * p.y, 0}; });
@@ -82,7 +82,7 @@ void refraction(SolverTrial& t) {
 }
 
 void one_weight(SolverTrial& t) {
-  t.needs(weights);
+  t.needs(Provides::weights);
   const MeshPtr mesh = terrain(10, 2, 91), heavy = weighted(mesh, [](const Vec3&) { return 2.5; });
   Running running(t.plugin, heavy), truth(t.reference(), mesh);
   for (const Index from : {0, 47, 99}) {
@@ -94,7 +94,7 @@ void one_weight(SolverTrial& t) {
 }
 
 void scale(SolverTrial& t) {
-  t.needs(weights);
+  t.needs(Provides::weights);
   const MeshPtr mesh = with_random_weights(terrain(9, 2, 93), 95);
   std::vector<double> weights(mesh->face_weights().begin(), mesh->face_weights().end());
   for (double& weight : weights) weight *= 1024;
@@ -104,7 +104,7 @@ void scale(SolverTrial& t) {
 
 /// A dearer face makes no way shorter, and a way over it longer by no more than the face.
 void growth(SolverTrial& t) {
-  t.needs(weights);
+  t.needs(Provides::weights);
   const MeshPtr mesh = with_random_weights(bumpy_torus(14, 8, 0.1, 97), 99);
   std::vector<double> weights(mesh->face_weights().begin(), mesh->face_weights().end());
   for (double& weight : weights) weight *= 1.5;
@@ -132,7 +132,7 @@ MeshPtr wedges(const std::vector<double>& directions, std::vector<double> weight
 /// Ways from a vertex cost in proportion along a ray, as long as they stay between the faces there: a cheap edge serves
 /// places near the vertex like others.
 void along_rays(SolverTrial& t) {
-  t.needs(weights | any_point);
+  t.needs(Provides::weights | Provides::any_point);
   t.needs_factor();
   const MeshPtr meshes[] = {wedges({-60, 0, 5, 10}, {0.01, 1, 1.1}), wedges({0, 10, 25, 40, 80}, {3, 2, 2.5, 0.2}),
                             wedges({-50, 0, 50, 100, 150}, {0.5, 0.02, 4, 1})};
@@ -155,7 +155,7 @@ void along_rays(SolverTrial& t) {
 }
 
 void costs_of_paths(SolverTrial& t) {
-  t.needs(weights | any_point | paths | path_is_distance);
+  t.needs(Provides::weights | Provides::any_point | Provides::paths | Provides::path_is_distance);
   const MeshPtr mesh = with_random_weights(terrain(10, 1.5, 101), 103);
   Running running(t.plugin, mesh);
   const CommonFace common(*mesh);
@@ -176,11 +176,11 @@ void costs_of_paths(SolverTrial& t) {
 }
 
 void audited(SolverTrial& t) {
-  t.needs(weights | any_point | paths);
+  t.needs(Provides::weights | Provides::any_point | Provides::paths);
   const MeshPtr mesh = with_random_weights(bumpy_torus(14, 8, 0.08, 107), 109);
   Running running(t.plugin, mesh);
   std::vector<Source> sources{{mesh->at_vertex(11)}};
-  if (t.has(start_distances)) sources.push_back({mesh->at_vertex(80), 0.3});
+  if (t.has(Provides::start_distances)) sources.push_back({mesh->at_vertex(80), 0.3});
   const AuditResult result = audit(*mesh, sources, running.map(sources), t.plugin.info.provides,
                                    {.factor = t.plugin.factor, .points_per_edge = 3});
   t.holds(result.paths > 0, "some paths are traced");

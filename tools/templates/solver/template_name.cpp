@@ -1,5 +1,6 @@
-// A solver to start from: shortest paths along the edges of the mesh, after Dijkstra (1959). Never shorter than the true
-// distance, without a stated factor. Replace what is between prepare and at by your method, then state what it provides.
+// A solver to start from: shortest paths along the edges of the mesh, after Dijkstra (1959). Never shorter than the
+// true distance, without a stated factor. Replace what is between prepare and at by your method, then state what it
+// provides.
 #include <geodrome/plugin.hpp>
 #include <queue>
 
@@ -107,4 +108,6 @@ class TemplateName : public ShortestPathSolver {
 }  // namespace
 
 GEODROME_PLUGIN(TemplateName, .name = "template_name", .summary = "shortest paths along edges (Dijkstra 1959)",
-                .licence = "MIT", .provides = start_distances | paths | path_is_distance | never_shorter)
+                .licence = "MIT",
+                .provides = Provides::start_distances | Provides::paths | Provides::path_is_distance |
+                            Provides::never_shorter)

@@ -19,9 +19,10 @@ struct AuditOptions {
 /// Worst violations found, relative to `scale`. A value at rounding level (1e-12 or so) is none.
 struct AuditResult {
   std::size_t faces = 0, pairs = 0, paths = 0;
-  double scale = 0;            ///< the largest finite distance audited, in the units of the input
-  double worst_lipschitz = 0;  ///< max of D(x)/factor - D(y) - w |xy| over pairs in a common face, over scale; at least 0
-  double worst_path = 0;       ///< max of |length of path + start - D| over scale, where path_is_distance is provided
+  double scale = 0;  ///< the largest finite distance audited, in the units of the input
+  double worst_lipschitz =
+      0;                  ///< max of D(x)/factor - D(y) - w |xy| over pairs in a common face, over scale; at least 0
+  double worst_path = 0;  ///< max of |length of path + start - D| over scale, where path_is_distance is provided
   Index worst_lipschitz_face = no_index, worst_path_face = no_index;
   std::string where;  ///< one line for people about the worst place
 };
@@ -33,6 +34,6 @@ struct AuditResult {
 /// must come from a request with Keep::map and no radius. On a mesh with weights |xy| and lengths are weighted: by the
 /// weight w of the face, along an edge by the smallest of its faces. O(faces x samples x query).
 AuditResult audit(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map,
-                  std::uint64_t provides, const AuditOptions& options);
+                  Provides provides, const AuditOptions& options);
 
 }  // namespace geodrome

@@ -93,7 +93,7 @@ struct PreparedSolver {
   std::shared_ptr<const PreparedSurface> prepared;
   StageRecord record;
 
-  bool provides(Provides bit) const { return (plugin.info.provides & bit) != 0; }
+  bool provides(Provides bit) const { return has(plugin.info.provides, bit); }
 };
 
 /// Loads `selection` and prepares `mesh`. Throws CapabilityError, naming what is missing, if the mesh lacks what the

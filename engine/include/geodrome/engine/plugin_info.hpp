@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "geodrome/capabilities.hpp"
 #include "geodrome/options.hpp"
 
 namespace geodrome {
@@ -23,7 +24,8 @@ struct OptionInfo {
 struct PluginInfo {
   std::filesystem::path file;
   std::string stage, name, summary, licence;
-  std::uint64_t needs = 0, provides = 0;
+  Needs needs = Needs::nothing;
+  Provides provides = Provides::nothing;
   double default_factor = 0;  ///< with default options; +inf for none
   std::vector<OptionInfo> options;
 

@@ -42,7 +42,7 @@ class PairQueries : public testing::Test {
   PairQueries() {
     surface_.mesh = mesh_;
     solver_.plugin.info.stage = "solver", solver_.plugin.info.name = "told";
-    solver_.plugin.info.provides = never_shorter;
+    solver_.plugin.info.provides = Provides::never_shorter;
     solver_.plugin.factor = infinity;  // it has no searches that an audit could ask
   }
   NamedPoint vertex(Index v) const {
@@ -99,7 +99,7 @@ TEST_F(PairQueries, CountWhatIsShorterThanTheStraightLine) {
   const std::vector<NamedPair> pairs{{vertex(0), vertex(8)}, {vertex(0), vertex(0)}};
   EXPECT_EQ(ask(pairs, [](double straight) { return straight * (1 - 1e-12); }).below_euclid, 0u) << "rounding";
   EXPECT_EQ(ask(pairs, [](double straight) { return straight * (1 - 1e-6); }).below_euclid, 1u);
-  solver_.plugin.info.provides = 0;
+  solver_.plugin.info.provides = Provides::nothing;
   EXPECT_EQ(ask(pairs, [](double straight) { return straight * (1 - 1e-6); }).below_euclid, 0u) << "not promised";
 }
 
