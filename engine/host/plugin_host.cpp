@@ -109,11 +109,11 @@ struct Complaint {
 std::shared_ptr<const void> create(const LoadedPlugin& plugin, const OptionValues& options) {
   Complaint complaint;
   const ErrorSink sink{&complaint, &Complaint::take};
-  void* object = plugin.descriptor->create(&options, &sink);
+  void* object = plugin.descriptor.create(&options, &sink);
   if (object == nullptr) fail_to_create(complaint);
   return {object, [&plugin](const void* dead) {
             const PluginScope scope(plugin.info);
-            plugin.descriptor->destroy(const_cast<void*>(dead));
+            plugin.descriptor.destroy(const_cast<void*>(dead));
           }};
 }
 
@@ -192,13 +192,13 @@ PluginHost::Loaded PluginHost::load_object(std::string_view stage, std::string_v
   if (info.stage != stage)
     throw OptionError(info.file.string() + " is a " + info.stage + " plugin, a " + std::string(stage) + " is needed");
   const LoadedPlugin& plugin = load_for_good(info);
-  const PluginDescriptor& descriptor = *plugin.descriptor;
+  const PluginDescriptor& descriptor = plugin.descriptor;
   return cross_boundary(plugin.info, [&]() -> Loaded {
     OptionValues options({descriptor.options, descriptor.option_count}, choice.options);
     auto object = create(plugin, options);
     const double factor = descriptor.factor(&options);
     if (!(factor >= 1)) throw PluginError("its factor with these options is " + std::to_string(factor) + ", below 1");
-    return {std::move(object), plugin.info, std::move(options), factor};
+    return {std::move(object), plugin.info, std::move(options), factor, descriptor.extension};
   });
 }
 

@@ -29,15 +29,16 @@ Registry& registry() {
   throw PluginError("plugin " + info.file.string() + " " + why);
 }
 
-const PluginDescriptor* open(const PluginInfo& info, boost::dll::shared_library& library) {
+PluginDescriptor open(const PluginInfo& info, boost::dll::shared_library& library) {
   using namespace boost::dll::load_mode;
   try {
     const PluginScope scope(info);
     library.load(info.file, rtld_now | rtld_local);
     const PluginDescriptor* plugin = library.get<const PluginDescriptor*()>(plugin_entry)();
     if (const auto fault = handshake_fault(plugin)) refuse(info, "is refused: " + *fault);
-    if (plugin->stage != info.stage || plugin->name != info.name) refuse(info, "changed while it was being loaded");
-    return plugin;
+    const PluginDescriptor whole = whole_descriptor(*plugin);
+    if (whole.stage != info.stage || whole.name != info.name) refuse(info, "changed while it was being loaded");
+    return whole;
   } catch (const std::system_error& error) {
     refuse(info, "cannot be loaded: " + std::string(error.what()));
   } catch (const Error&) {
@@ -61,7 +62,7 @@ const LoadedPlugin& load_for_good(const PluginInfo& info) {
   const std::lock_guard lock(loaded.mutex);
   const auto found = loaded.plugins.find(info.file);
   if (found != loaded.plugins.end()) return found->second;
-  const PluginDescriptor* descriptor = open(info, loaded.libraries.emplace_back());
+  const PluginDescriptor descriptor = open(info, loaded.libraries.emplace_back());
   return loaded.plugins.emplace(info.file, LoadedPlugin{info, descriptor}).first->second;
 }
 

@@ -11,7 +11,7 @@ namespace geodrome {
 /// A plugin that is loaded into this process, for good.
 struct LoadedPlugin {
   PluginInfo info;
-  const PluginDescriptor* descriptor = nullptr;
+  PluginDescriptor descriptor;  ///< a copy: the members that an older plugin does not have are null
 };
 
 /// The plugin of `file` if it is loaded already, otherwise null. Thread-safe.

@@ -84,6 +84,8 @@ PluginInfo checked_info(const PluginDescriptor& plugin) {
   if (unknown_bits(plugin.provides) != Provides::nothing)
     throw PluginError("it provides something this host does not know");
   if (!plugin.factor || !plugin.create || !plugin.destroy) throw PluginError("its descriptor lacks a function");
+  if (plugin.extension && plugin.extension("no such extension") != nullptr)
+    throw PluginError("it offers an extension that does not exist");
   if (plugin.options == nullptr && plugin.option_count > 0) throw PluginError("its options are missing");
   const std::span specs(plugin.options, plugin.option_count);
   info.options = option_infos(specs);

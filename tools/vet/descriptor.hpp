@@ -7,8 +7,8 @@
 namespace geodrome {
 
 /// Copies a descriptor that passed the handshake and checks that it makes sense: a known stage, a usable name, no null
-/// strings, options with names of their own whose defaults pass their own check, no unknown bits, a factor of at
-/// least 1. Throws PluginError with what is wrong.
+/// strings, options with names of their own whose defaults pass their own check, no unknown bits, no answer to an
+/// extension that does not exist, a factor of at least 1. Throws PluginError with what is wrong.
 PluginInfo checked_info(const PluginDescriptor& plugin);
 
 }  // namespace geodrome

@@ -2,8 +2,8 @@
 // geodrome-vet FILE: loads one plugin and prints what it is as one JSON object to standard output. Whatever the plugin
 // does to the process stays in this process; the host runs it under a time limit and takes any bad end for a refusal.
 //
-//   {"interface_version":1,"build_tag":"...","plugin":{...}}      status 0
-//   {"interface_version":1,"build_tag":"...","refused":"why"}     status 1
+//   {"interface_version":2,"build_tag":"...","plugin":{...}}      status 0
+//   {"interface_version":2,"build_tag":"...","refused":"why"}     status 1
 #define BOOST_DLL_USE_STD_FS
 #include <sys/prctl.h>
 
@@ -70,7 +70,7 @@ void vet(const std::filesystem::path& file) {
   const PluginDescriptor* plugin = library.get<const PluginDescriptor*()>(plugin_entry)();
   if (const auto fault = handshake_fault(plugin)) answer("refused", *fault);
   try {
-    answer("plugin", checked_info(*plugin));
+    answer("plugin", checked_info(whole_descriptor(*plugin)));
   } catch (const PluginError& error) {
     answer("refused", "its descriptor is wrong: " + std::string(error.what()));
   }

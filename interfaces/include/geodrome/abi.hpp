@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>  // defines the standard library's own macros
 
@@ -11,8 +12,16 @@
 /// engine reads before it makes any C++ call into the plugin.
 namespace geodrome {
 
-/// Changes whenever a type that crosses the border changes. The host loads only plugins of its own version.
-inline constexpr std::uint32_t interface_version = 1;
+/// The version of the border that these headers describe. It is raised whenever a type that crosses the border changes,
+/// or the descriptor gets a member at its end. New abilities need neither: they come as extensions.
+/// 2: `Error` and `Finding` carry their remedy as a code with parameters; the descriptor has `extension`.
+inline constexpr std::uint32_t interface_version = 2;
+
+/// The oldest version whose plugins a host of this version still loads. It is raised to `interface_version` when a
+/// type changes its layout or its virtual functions, and stays when the descriptor only grows at its end.
+/// 2: plugins of version 1 throw an `Error` of another layout.
+inline constexpr std::uint32_t oldest_interface_version = 2;
+static_assert(oldest_interface_version <= interface_version);
 
 #if defined(__SANITIZE_ADDRESS__)
 #define GEODROME_SANITIZER "asan"
@@ -43,7 +52,8 @@ struct ErrorSink {
   void (*report)(void* receiver, bool is_option_error, const char* message) noexcept;
 };
 
-/// What a plugin is. The first three members never change place, so that hosts of any version can read them.
+/// What a plugin is. The first three members never change place, so that hosts of any version can read them. Members
+/// are only ever added at the end: those beyond `size` are absent, which a host of a later version takes for null.
 struct PluginDescriptor {
   std::uint32_t size;               ///< sizeof(PluginDescriptor) where the plugin was built
   std::uint32_t interface_version;  ///< geodrome::interface_version there
@@ -56,7 +66,13 @@ struct PluginDescriptor {
   double (*factor)(const OptionValues*) noexcept;                   ///< 1 exact, 1 + delta proven, +inf none
   void* (*create)(const OptionValues*, const ErrorSink*) noexcept;  ///< an object of the stage's interface, or null
   void (*destroy)(void*) noexcept;
+  /// The table of functions of the extension `id`, which lives as long as the library; null if the plugin does not know
+  /// the id. May itself be null: no extensions. Thread-safe.
+  const void* (*extension)(const char* id) noexcept;
 };
+
+/// The smallest descriptor of an accepted version: all that stands before `extension`.
+inline constexpr std::size_t smallest_descriptor = offsetof(PluginDescriptor, extension);
 
 using PluginEntry = const PluginDescriptor* (*)();
 

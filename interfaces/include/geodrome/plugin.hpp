@@ -5,6 +5,8 @@
 #include <exception>
 #include <limits>
 #include <span>
+#include <string_view>
+#include <type_traits>
 
 #include "geodrome/abi.hpp"
 #include "geodrome/control_function.hpp"
@@ -27,7 +29,17 @@ struct PluginTraits {
   Provides provides = Provides::nothing;
   std::span<const OptionSpec> options = {};
   double (*factor)(const OptionValues*) noexcept = no_factor;
+  const void* (*extension)(const char* id) noexcept = nullptr;  ///< see `extensions`
 };
+
+/// Answers for the tables of functions that a plugin offers as extensions, each by the `id` of its class:
+/// `.extension = geodrome::extensions<my_table>`. Null for any other id.
+template <const auto&... Tables>
+const void* extensions(const char* id) noexcept {
+  const void* found = nullptr;
+  ((std::string_view(id) == Tables.id ? void(found = &Tables) : void()), ...);
+  return found;
+}
 
 namespace detail {
 
@@ -80,20 +92,9 @@ void destroy(void* object) noexcept {
 
 template <StagePlugin P>
 constexpr PluginDescriptor describe(const PluginTraits& traits) {
-  return {sizeof(PluginDescriptor),
-          interface_version,
-          build_tag,
-          InterfaceOf<P>::stage,
-          traits.name,
-          traits.summary,
-          traits.licence,
-          traits.needs,
-          traits.provides,
-          traits.options.data(),
-          traits.options.size(),
-          traits.factor,
-          &create<P>,
-          &destroy<P>};
+  return {sizeof(PluginDescriptor), interface_version, build_tag,    InterfaceOf<P>::stage, traits.name,
+          traits.summary,           traits.licence,    traits.needs, traits.provides,       traits.options.data(),
+          traits.options.size(),    traits.factor,     &create<P>,   &destroy<P>,           traits.extension};
 }
 
 }  // namespace detail

@@ -73,7 +73,10 @@ TEST_P(RefusedPlugin, IsToldByFileAndReason) {
 INSTANTIATE_TEST_SUITE_P(
     PluginHost, RefusedPlugin,
     ::testing::Values(
-        Refused{"bad_version", "built for interface version 4711, this host has version 1"},
+        Refused{"bad_version", "built for interface version 4711, this host takes version 2; rebuild the plugin"},
+        Refused{"bad_old_version", "built for interface version 1, this host takes version 2; rebuild the plugin"},
+        Refused{"bad_size", "its descriptor has 96 bytes, this host's has 112"},
+        Refused{"bad_extension", "it offers an extension that does not exist"},
         Refused{"bad_build_tag", "built as 'libother debug float', this host is built as 'libstdc++"},
         Refused{"bad_no_entry", "no entry geodrome_plugin"},
         Refused{"bad_throws_at_load", "threw while being loaded: the licence server is down"},

@@ -21,7 +21,8 @@ inline PluginDescriptor descriptor(const char* name) {
           0,
           [](const OptionValues*) noexcept { return 1.0; },
           [](const OptionValues*, const ErrorSink*) noexcept -> void* { return nullptr; },
-          [](void*) noexcept {}};
+          [](void*) noexcept {},
+          nullptr};
 }
 
 }  // namespace geodrome::bad

@@ -26,11 +26,20 @@ struct Plugin {
   PluginInfo info;
   OptionValues options;
   double factor = 0;  ///< the guarantee with these options; +inf for none; meaningless for stages other than solver
+  const void* (*find_extension)(const char* id) noexcept = nullptr;  ///< of the descriptor; null: there are none
 
   /// Calls `function(object)` so that whatever leaves it names the plugin: see `boundary.hpp`.
   template <class Function>
   decltype(auto) call(Function&& function) const {
     return cross_boundary(info, [&]() -> decltype(auto) { return function(*object); });
+  }
+
+  /// The plugin's table of functions of an extension, found by `Extension::id`; null if the plugin has none. What the
+  /// functions do must be called through `call`. The table stays for the life of the process. Thread-safe.
+  template <class Extension>
+  const Extension* extension() const {
+    if (find_extension == nullptr) return nullptr;
+    return cross_boundary(info, [&] { return static_cast<const Extension*>(find_extension(Extension::id)); });
   }
 };
 
@@ -66,7 +75,7 @@ class PluginHost {
   Plugin<Stage> load(std::string_view selection) const {
     Loaded loaded = load_object(Stage::stage, selection);
     return {std::static_pointer_cast<const Stage>(std::move(loaded.object)), std::move(loaded.info),
-            std::move(loaded.options), loaded.factor};
+            std::move(loaded.options), loaded.factor, loaded.find_extension};
   }
 
  private:
@@ -75,6 +84,7 @@ class PluginHost {
     PluginInfo info;
     OptionValues options;
     double factor;
+    const void* (*find_extension)(const char* id) noexcept;
   };
   Loaded load_object(std::string_view stage, std::string_view selection) const;
   PluginInfo find(std::string_view stage, const std::string& name) const;
