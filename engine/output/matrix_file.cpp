@@ -4,13 +4,12 @@
 #include <xxhash.h>
 
 #include <atomic>
-#include <cmath>
 #include <optional>
 #include <stdexcept>
 
 #include "engine/formats/csv.hpp"
 #include "engine/formats/npy.hpp"
-#include "engine/formats/number_text.hpp"
+#include "engine/output/float32_row.hpp"
 #include "engine/output/partial_footer.hpp"
 #include "engine/output/posix_file.hpp"
 #include "geodrome/errors.hpp"
@@ -63,17 +62,6 @@ PosixFile open_locked(const fs::path& partial) {
                          "wait for it, or choose another output");
     if (file.is_at_its_path()) return file;
   }
-}
-
-/// The row as it is stored. Throws OptionError where float32 would turn a finite distance into "unreachable" or into 0.
-std::vector<float> narrowed(const MatrixFile::Spec& spec, std::uint64_t row, std::span<const double> values) {
-  std::vector<float> result(values.begin(), values.end());
-  for (std::size_t i = 0; i < result.size(); ++i)
-    if (std::isfinite(values[i]) != std::isfinite(result[i]) || (values[i] == 0) != (result[i] == 0))
-      throw OptionError("the distance " + number_text(values[i]) + " (row " + std::to_string(row) + ", column " +
-                            std::to_string(i) + " of " + spec.out.string() + ") does not fit into float32",
-                        "store float64");
-  return result;
 }
 
 }  // namespace
@@ -253,7 +241,8 @@ void MatrixFile::write(std::uint64_t row, std::span<const double> values) {
   std::vector<float> narrow;
   const void* data = values.data();
   if (m.spec.scalar == ScalarType::float32) {
-    narrow = narrowed(m.spec, row, values);
+    narrow.resize(values.size());
+    round_to_float32(values, narrow, row, m.spec.out.string());
     data = narrow.data();
   }
   // The data first: a row whose checksum is on record is whole, or found out on resume.

@@ -8,4 +8,6 @@
 #include "geodrome/engine/pipeline.hpp"
 #include "geodrome/engine/plugin_host.hpp"
 #include "geodrome/engine/named_points.hpp"
+#include "geodrome/engine/row_set.hpp"
+#include "geodrome/engine/row_sink.hpp"
 #include "geodrome/engine/version.hpp"

@@ -8,18 +8,20 @@
 #include <string>
 #include <vector>
 
+#include "geodrome/engine/row_sink.hpp"
+
 namespace geodrome {
 
 enum class ScalarType { float64, float32 };
 
-/// A distance matrix on disk that is written row by row, in any order, from any thread, and survives the end of the
-/// process at any moment. Rows = sources, columns = targets.
+/// The sink that stores a distance matrix on disk: written row by row, in any order, from any thread, it survives the
+/// end of the process at any moment.
 ///
 /// While it grows it is one file, OUT.partial: the .npy file as it will be, then a footer with the fingerprint of the
 /// run and a 64-bit checksum per row, which tells the rows that are whole. `finish` cuts the footer off and renames the
 /// file (for .csv: writes the text, then removes the .partial); while it does, the footer (the text) is in
 /// OUT.partial-footer (OUT.partial-text). Nothing else is left on disk.
-class MatrixFile {
+class MatrixFile final : public RowSink {
  public:
   struct Spec {
     std::filesystem::path out;  ///< ends in .npy or .csv
@@ -41,15 +43,16 @@ class MatrixFile {
 
   MatrixFile(MatrixFile&&) noexcept;
   MatrixFile& operator=(MatrixFile&&) noexcept;
-  ~MatrixFile();  ///< leaves the .partial where it is
+  ~MatrixFile() override;  ///< leaves the .partial where it is
 
-  bool has(std::uint64_t row) const;
+  /// Thread-safe.
+  bool has(std::uint64_t row) const override;
   std::uint64_t rows_done() const;
 
   /// Writes one row; safe to call from several threads for different rows. Throws InputError (io), naming the file and
   /// the system's reason, e.g. when the disk is full; OptionError for a finite distance that float32 would turn into
   /// infinity or 0; std::logic_error for a row or a number of values that the matrix does not have.
-  void write(std::uint64_t row, std::span<const double> values);
+  void write(std::uint64_t row, std::span<const double> values) override;
 
   /// Reads a row that is there back, as stored; works after `finish` too. Throws InputError (io) if it changed on disk,
   /// std::out_of_range if it is not there. Thread-safe.
@@ -57,7 +60,7 @@ class MatrixFile {
 
   /// Precondition: every row is there (std::logic_error). Afterwards `spec.out` exists, whole and on the disk, and
   /// OUT.partial does not. Throws InputError (io) as `write`; then OUT.partial is still there.
-  void finish();
+  void finish() override;
 
  private:
   struct Impl;
