@@ -12,6 +12,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 SCALE = 180  # units of the picture per unit of length
 PANEL = (600, 450)
@@ -117,10 +118,14 @@ def light_on(corners):
 
 
 def path_data(places):
-    """Returns a polyline in tenths of a pixel, each step relative to the one before, since that is shorter."""
+    """Returns a polyline in tenths of a pixel, each step relative to the one before, since that is shorter.
+
+    A minus sign needs no space before it; every tenth number has one all the same, where a line may be broken.
+    """
     places = [(round(place[0] * 10), round(place[1] * 10)) for place in places]
-    steps = (f"{q[0] - p[0]} {q[1] - p[1]}" for p, q in zip(places, places[1:]))
-    return f"M{places[0][0]} {places[0][1]}l" + " ".join(steps).replace(" -", "-")
+    steps = [str(step) for p, q in zip(places, places[1:]) for step in (q[0] - p[0], q[1] - p[1])]
+    spaced = ("" if step[0] == "-" and k % 10 else " " for k, step in enumerate(steps))
+    return f"M{places[0][0]} {places[0][1]}l" + "".join(space + step for space, step in zip(spaced, steps)).lstrip()
 
 
 def grown(corners):
@@ -241,7 +246,8 @@ def main():
         sys.exit("usage: picture.py GEODROME OUT.svg")
     with tempfile.TemporaryDirectory() as folder:
         result = Run(sys.argv[1], folder)
-    pathlib.Path(sys.argv[2]).write_text("\n".join(picture(result)) + "\n")
+    lines = (textwrap.fill(line, 116, break_long_words=False, break_on_hyphens=False) for line in picture(result))
+    pathlib.Path(sys.argv[2]).write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":
