@@ -28,7 +28,10 @@ function browser(webgl) {
   if (!browsers.has(webgl))
     browsers.set(
       webgl,
-      chromium.launch({ executablePath: process.env.GEODROME_CHROMIUM, args: [...quiet, ...(webgl ? software_webgl : no_webgl)] }),
+      chromium.launch({
+        executablePath: process.env.GEODROME_CHROMIUM,
+        args: [...quiet, ...(webgl ? software_webgl : no_webgl)],
+      }),
     );
   return browsers.get(webgl);
 }
@@ -58,7 +61,11 @@ export async function with_page(data, test, options) {
 }
 
 /** The same on a page that is there. */
-export async function with_file(file, test, { viewport = { width: 1280, height: 800 }, dark = false, webgl = true } = {}) {
+export async function with_file(
+  file,
+  test,
+  { viewport = { width: 1280, height: 800 }, dark = false, webgl = true } = {},
+) {
   const context = await (await browser(webgl)).newContext({ viewport, colorScheme: dark ? "dark" : "light" });
   try {
     const page = await context.newPage();
@@ -77,7 +84,8 @@ function listen(page) {
   page.on("request", (request) => log.requests.push(request.url()));
   page.on("pageerror", (error) => log.errors.push(String(error)));
   page.on("console", (message) => {
-    if (["error", "warning"].includes(message.type()) && !message.text().includes(screenshot_warning)) log.errors.push(message.text());
+    if (["error", "warning"].includes(message.type()) && !message.text().includes(screenshot_warning))
+      log.errors.push(message.text());
   });
   return log;
 }
@@ -88,7 +96,9 @@ export async function settled(page) {
   for (;;) {
     const frames = await page.evaluate(
       () =>
-        new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => done(window.geodrome.frames), 30)))),
+        new Promise((done) =>
+          requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(() => done(window.geodrome.frames), 30))),
+        ),
     );
     if (frames === before) return;
     before = frames;

@@ -34,7 +34,9 @@ test("the policy of the page lets no script run but its own", () =>
   with_page(sample(), async (page) => {
     const ran = await page.evaluate(async () => {
       const refused = new Promise((done) => {
-        document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => done(effectiveDirective), { once: true });
+        document.addEventListener("securitypolicyviolation", ({ effectiveDirective }) => done(effectiveDirective), {
+          once: true,
+        });
         setTimeout(() => done("nothing"), 3000);
       });
       const script = document.createElement("script");
@@ -51,7 +53,10 @@ test("strings that look like markup are shown as they are", () =>
     await choose(page, "combination", 6);
     assert.equal(await page.evaluate(() => window.hacked ?? null), null);
     assert.equal(await page.locator("img, b").count(), 0);
-    assert.match(await page.locator("h1").textContent(), /^<\/script><img src=x onerror="window\.hacked=1"><b>bold<\/b>\.ply$/);
+    assert.match(
+      await page.locator("h1").textContent(),
+      /^<\/script><img src=x onerror="window\.hacked=1"><b>bold<\/b>\.ply$/,
+    );
     assert.match(await page.locator("#surface figcaption").first().textContent(), /^<\/script><img/);
     assert.match(await page.locator(".failed").textContent(), /use delaunay_cut<\/script>/);
     assert.deepEqual(log.errors, []);
@@ -95,7 +100,10 @@ for (const width of [1280, 700, 360])
       sample({ hostile: true }),
       async (page) => {
         await use_everything(page);
-        const [content, window_width] = await page.evaluate(() => [document.documentElement.scrollWidth, window.innerWidth]);
+        const [content, window_width] = await page.evaluate(() => [
+          document.documentElement.scrollWidth,
+          window.innerWidth,
+        ]);
         assert.equal(window_width, width);
         assert.ok(content <= width, `${content} pixels wide`);
       },
@@ -104,7 +112,9 @@ for (const width of [1280, 700, 360])
 
 test("the table of a mesh fits at a width of 1280", () =>
   with_page(sample(), async (page) => {
-    const [content, room] = await page.locator("#combinations .scroll").evaluate((box) => [box.scrollWidth, box.clientWidth]);
+    const [content, room] = await page
+      .locator("#combinations .scroll")
+      .evaluate((box) => [box.scrollWidth, box.clientWidth]);
     assert.ok(content <= room, `${content} pixels in ${room}`);
   }));
 
@@ -121,10 +131,13 @@ test("sections without data are left out or say so", () =>
 test("the page is complete when every combination failed", () => {
   const data = sample();
   const failure = data.combinations.at(-1);
-  return with_page({ ...data, combinations: [failure], view: { surfaces: [], combinations: [null] } }, async (page, log) => {
-    assert.match(await page.locator(".failed").textContent(), /did not run \(status 4\): the stars of 17 points/);
-    assert.deepEqual(log.errors, []);
-  });
+  return with_page(
+    { ...data, combinations: [failure], view: { surfaces: [], combinations: [null] } },
+    async (page, log) => {
+      assert.match(await page.locator(".failed").textContent(), /did not run \(status 4\): the stars of 17 points/);
+      assert.deepEqual(log.errors, []);
+    },
+  );
 });
 
 test("the empty template says what it is", () =>

@@ -22,10 +22,14 @@ test("the plot of errors has a mark and a label for each combination that ran, i
   with_page(data, async (page) => {
     const found = await marks(page);
     assert.equal(found.length, ran.length);
-    assert.deepEqual((await page.locator("#error-time .labels text").allTextContents()).sort(), ran.map(({ name }) => name).sort());
+    assert.deepEqual(
+      (await page.locator("#error-time .labels text").allTextContents()).sort(),
+      ran.map(({ name }) => name).sort(),
+    );
     for (const [i, a] of ran.entries())
       for (const [j, b] of ran.entries()) {
-        if (a.seconds.per_source < b.seconds.per_source) assert.ok(found[i].x < found[j].x, `${a.name} is left of ${b.name}`);
+        if (a.seconds.per_source < b.seconds.per_source)
+          assert.ok(found[i].x < found[j].x, `${a.name} is left of ${b.name}`);
         if (a.errors.mean < 0.5 * b.errors.mean) assert.ok(found[i].y > found[j].y, `${a.name} is below ${b.name}`);
       }
   }));
@@ -37,7 +41,9 @@ test("both axes of the plot of errors are logarithmic", () =>
       .map((c, i) => ({ x: Math.log(c.seconds.per_source), y: Math.log(c.errors.mean), at: found[i] }))
       .filter(({ y }) => Number.isFinite(y));
     for (const axis of ["x", "y"]) {
-      const [a, b, c] = [...positive].sort((p, q) => p[axis] - q[axis]).filter((_, i, all) => [0, 1, all.length - 1].includes(i));
+      const [a, b, c] = [...positive]
+        .sort((p, q) => p[axis] - q[axis])
+        .filter((_, i, all) => [0, 1, all.length - 1].includes(i));
       const share = (b[axis] - a[axis]) / (c[axis] - a[axis]);
       const drawn = (b.at[axis] - a.at[axis]) / (c.at[axis] - a.at[axis]);
       assert.ok(Math.abs(share - drawn) < 0.02, `${axis}: ${share} is drawn at ${drawn}`);
@@ -80,7 +86,9 @@ test("a histogram has a bar for each count and one for zeros, in proportion", ()
         .evaluateAll((bars) => bars.map((bar) => Number(bar.getAttribute("height"))));
       assert.equal(heights.length, shares.length, name);
       unit ??= heights[0] / shares[0];
-      heights.forEach((height, k) => assert.ok(Math.abs(height - unit * shares[k]) < 0.51, `${name}: bar ${k} is ${height} high`));
+      heights.forEach((height, k) =>
+        assert.ok(Math.abs(height - unit * shares[k]) < 0.51, `${name}: bar ${k} is ${height} high`),
+      );
     }
   }));
 
@@ -103,7 +111,9 @@ test("growth has a curve for each combination with figures, a point for each siz
     assert.equal(await curves("windows"), 2);
     const points = await plots.first().locator("g[aria-label=dot] > *").count();
     assert.equal(points, 3 * ran.length);
-    const exponents = await page.locator(".exponents tbody tr").evaluateAll((rows) => rows.map((row) => row.children[1].textContent));
+    const exponents = await page
+      .locator(".exponents tbody tr")
+      .evaluateAll((rows) => rows.map((row) => row.children[1].textContent));
     assert.deepEqual(exponents, ["1.50", "1.70", "1.10", "1.02", "1.15", "1.30"]);
   }));
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The page that the program writes of comparisons that it has run: it opens, and shows the figures that the program prints.
+// The page that the program writes of comparisons that it has run: it opens, and shows the figures that the program
+// prints.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import path from "node:path";
@@ -15,7 +16,16 @@ function geodrome(folder, ...words) {
 async function with_comparison(shape, input, options, test) {
   await in_folder(async (folder) => {
     assert.equal(geodrome(folder, "shape", ...shape, "-o", input).status, 0);
-    const { stdout, stderr } = geodrome(folder, "compare", input, ...options, "--html", "page.html", "--json", "--quiet");
+    const { stdout, stderr } = geodrome(
+      folder,
+      "compare",
+      input,
+      ...options,
+      "--html",
+      "page.html",
+      "--json",
+      "--quiet",
+    );
     assert.notEqual(stdout, "", stderr);
     await with_file(path.join(folder, "page.html"), (page, log) => test(page, log, JSON.parse(stdout)));
   });

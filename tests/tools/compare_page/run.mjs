@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// node run.mjs PAGE PROGRAM TEST: one file of tests on a built page, and on those that the program `geodrome` writes. Chromium is the one in GEODROME_CHROMIUM, or on the PATH.
+// node run.mjs PAGE PROGRAM TEST: one file of tests on a built page, and on those that the program `geodrome` writes.
+// Chromium is the one in GEODROME_CHROMIUM, or on the PATH.
 import { spawnSync } from "node:child_process";
 import { existsSync } from "node:fs";
 import path from "node:path";

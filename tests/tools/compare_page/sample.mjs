@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Made-up data of a comparison, by the schema of the page: a torus and a small sphere apart from it, as one mesh, with combinations
-// of every kind: exact, within a factor, estimates, a broken promise, one that did not run, one with a hostile name.
+// Made-up data of a comparison, by the schema of the page: a torus and a small sphere apart from it, as one mesh,
+// with combinations of every kind: exact, within a factor, estimates, a broken promise, one that did not run, one
+// with a hostile name.
 //
 //   sample({ rings, sides, growth, hostile }) gives the data; page_of(template, data) the page as the engine writes it.
 
@@ -32,7 +33,8 @@ function grid_faces(first, rings, sides, closed) {
 
 function surface_of(rings, sides) {
   const torus = [];
-  for (let i = 0; i < rings; ++i) for (let j = 0; j < sides; ++j) torus.push({ u: (around * i) / rings, v: (around * j) / sides });
+  for (let i = 0; i < rings; ++i)
+    for (let j = 0; j < sides; ++j) torus.push({ u: (around * i) / rings, v: (around * j) / sides });
   const [belts, steps] = [12, 9];
   const sphere = [];
   for (let i = 0; i < belts; ++i)
@@ -57,7 +59,8 @@ function path_points(a, b) {
   return Array.from({ length: 41 }, (_, k) => torus_point(a.u + (du * k) / 40, a.v + (dv * k) / 40));
 }
 
-const length_of = (points) => points.slice(1).reduce((sum, p, i) => sum + Math.hypot(...p.map((x, axis) => x - points[i][axis])), 0);
+const length_of = (points) =>
+  points.slice(1).reduce((sum, p, i) => sum + Math.hypot(...p.map((x, axis) => x - points[i][axis])), 0);
 
 function paths_of(surface, from) {
   const n = surface.torus.length;
@@ -207,7 +210,10 @@ function invariants_of(kind) {
   ];
 }
 
-/** The distances and errors of one source at all vertices; not reached beyond the torus, not computed at the last few of it. */
+/**
+ * The distances and errors of one source at all vertices; not reached beyond the torus, not computed at the last few
+ * of it.
+ */
 function search(kind, surface, from, random) {
   const { torus, positions } = surface;
   const truths = positions.map((_, i) => (i < torus.length ? distance(torus[from], torus[i]) : Infinity));
@@ -270,7 +276,10 @@ function result_of(kind, surface, from, growth) {
   return { result, view };
 }
 
-/** The data of a page. `hostile`: strings that would do harm as markup, everywhere. `growth`: figures of several sizes. */
+/**
+ * The data of a page. `hostile`: strings that would do harm as markup, everywhere. `growth`: figures of several
+ * sizes.
+ */
 export function sample({ rings = 48, sides = 24, growth = true, hostile = false } = {}) {
   const surface = surface_of(rings, sides);
   const n = surface.torus.length;
@@ -292,7 +301,11 @@ export function sample({ rings = 48, sides = 24, growth = true, hostile = false 
       faces: surface.faces.length,
       diagonal: 4.031,
     },
-    sources: from.map((row, i) => ({ entry: String(row), row: i === 0 ? row : null, position: surface.positions[row] })),
+    sources: from.map((row, i) => ({
+      entry: String(row),
+      row: i === 0 ? row : null,
+      position: surface.positions[row],
+    })),
     targets: surface.positions.length,
     truth: {
       kind: "exact",
@@ -304,7 +317,10 @@ export function sample({ rings = 48, sides = 24, growth = true, hostile = false 
     combinations: [...results.map(({ result }) => result), failure],
     view: {
       surfaces: [
-        { positions: base64(Float32Array.from(surface.positions.flat())), triangles: base64(Uint32Array.from(surface.faces.flat())) },
+        {
+          positions: base64(Float32Array.from(surface.positions.flat())),
+          triangles: base64(Uint32Array.from(surface.faces.flat())),
+        },
       ],
       combinations: [...results.map(({ view }) => ({ surface: 0, sources: view })), null],
     },
@@ -313,6 +329,7 @@ export function sample({ rings = 48, sides = 24, growth = true, hostile = false 
 
 /** The page with its data, as the engine writes it. */
 export function page_of(template, data) {
-  const script = `<script type="application/json" id="geodrome-comparison">${JSON.stringify(data).replaceAll("<", "\\u003c")}</script>`;
+  const json = JSON.stringify(data).replaceAll("<", "\\u003c");
+  const script = `<script type="application/json" id="geodrome-comparison">${json}</script>`;
   return template.replace("<!--geodrome-comparison-->", () => script);
 }

@@ -7,7 +7,8 @@ import { sample } from "./sample.mjs";
 
 const data = sample({ growth: false });
 // A small window: without a GPU, pixels cost time.
-const with_page = (shown, body, options) => with_any_page(shown, body, { viewport: { width: 800, height: 640 }, ...options });
+const with_page = (shown, body, options) =>
+  with_any_page(shown, body, { viewport: { width: 800, height: 640 }, ...options });
 const isolines = (page, value) =>
   page
     .locator("input[name=isolines]")
@@ -177,7 +178,9 @@ test("mouse and keys turn and zoom, and there is a way back", () =>
         await page.mouse.move(box.x + 300, box.y + 200);
         await page.mouse.wheel(0, -300);
       },
-      ...Object.fromEntries(["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "+", "-"].map((key) => [key, () => target.press(key)])),
+      ...Object.fromEntries(
+        ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "+", "-"].map((key) => [key, () => target.press(key)]),
+      ),
     };
     await target.scrollIntoViewIfNeeded();
     Object.assign(box, await target.boundingBox());
@@ -201,10 +204,14 @@ test("a click on the surface reads the vertex there, one beside it does not", ()
     await isolines(page, 0);
     const seen = await canvas(page);
     const middle = Math.floor(seen.width / 2);
-    const y = Array.from({ length: seen.height }, (_, i) => seen.height - 1 - i).find((row) => coloured(seen.at(middle, row)));
+    const y = Array.from({ length: seen.height }, (_, i) => seen.height - 1 - i).find((row) =>
+      coloured(seen.at(middle, row)),
+    );
     await target.click({ position: { x: middle, y: y - 12 } });
     const [, vertex, distance] = (await readout.textContent()).match(/^Vertex (\d+): D = ([\d.]+), D\/T − 1 = 0$/);
-    const distances = new Float32Array(Uint8Array.from(Buffer.from(data.view.combinations[0].sources[0].distances, "base64")).buffer);
+    const distances = new Float32Array(
+      Uint8Array.from(Buffer.from(data.view.combinations[0].sources[0].distances, "base64")).buffer,
+    );
     assert.ok(Math.abs(distances[vertex] - Number(distance)) < 1e-5 * distances[vertex]);
   }));
 
@@ -224,7 +231,10 @@ test("coordinates far from 1 are shown as well", async () => {
   const floats = (text) => new Float32Array(Uint8Array.from(Buffer.from(text, "base64")).buffer);
   const scaled = (text, by) => Buffer.from(floats(text).map((x) => x * by).buffer).toString("base64");
   for (const by of [1e-20, 1e20]) {
-    const view = { ...data.view, surfaces: data.view.surfaces.map((s) => ({ ...s, positions: scaled(s.positions, by) })) };
+    const view = {
+      ...data.view,
+      surfaces: data.view.surfaces.map((s) => ({ ...s, positions: scaled(s.positions, by) })),
+    };
     for (const { paths } of view.combinations.flatMap((c) => c?.sources ?? [])) paths.length = 0;
     const sources = data.sources.map((s) => ({ ...s, position: s.position.map((x) => x * by) }));
     await with_page({ ...data, sources, view }, async (page) => {
@@ -238,7 +248,10 @@ test("a cortex of 20,000 vertices, 5 sources and 4 combinations opens in seconds
   const large = sample({ rings: 200, sides: 100, growth: false });
   const four = (list) => [0, 2, 3, 4].map((i) => list[i]);
   const twice_and_more = (list) => [0, 1, 0, 1, 0].map((i) => list[i]);
-  const combinations = four(large.view.combinations).map((view) => ({ ...view, sources: twice_and_more(view.sources) }));
+  const combinations = four(large.view.combinations).map((view) => ({
+    ...view,
+    sources: twice_and_more(view.sources),
+  }));
   const data_of_20k = {
     ...large,
     sources: twice_and_more(large.sources),

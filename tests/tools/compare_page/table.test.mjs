@@ -29,7 +29,8 @@ const expected = {
 
 const row = (page, place) => page.locator(`tr[data-combination="${place}"]`);
 const cell = (page, place, column) => row(page, place).locator(`[data-column=${column}]`);
-const order = (page) => page.locator("tr[data-combination]").evaluateAll((rows) => rows.map((r) => Number(r.dataset.combination)));
+const order = (page) =>
+  page.locator("tr[data-combination]").evaluateAll((rows) => rows.map((r) => Number(r.dataset.combination)));
 
 /** The number that a person reads. */
 const read = (text) => Number(text.replaceAll(",", ""));
@@ -46,7 +47,9 @@ test("every number of the table is that of the data", () =>
           assert.ok(Math.abs(read(text) - value) <= 0.0051 * Math.abs(value), `${where}: ${text} for ${value}`);
         }
       }
-    const numeric = await page.locator("thead th.number").evaluateAll((heads) => heads.map((head) => head.dataset.column));
+    const numeric = await page
+      .locator("thead th.number")
+      .evaluateAll((heads) => heads.map((head) => head.dataset.column));
     assert.deepEqual(numeric, Object.keys(expected));
   }));
 
@@ -113,7 +116,14 @@ test("promises are told in words", () =>
       "none stated",
       "≤ 1.01: BROKEN",
     ]);
-    assert.deepEqual(await words("invariants"), ["all hold", "all hold", "all hold", "all hold", "1 not promised", "1 BROKEN"]);
+    assert.deepEqual(await words("invariants"), [
+      "all hold",
+      "all hold",
+      "all hold",
+      "all hold",
+      "1 not promised",
+      "1 BROKEN",
+    ]);
   }));
 
 test("a guarantee that the truth cannot judge is neither held nor broken", () => {

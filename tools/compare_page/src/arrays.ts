@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Base64 into arrays. Typed arrays have the byte order of the machine: little-endian wherever there is a browser with WebGL.
+// Base64 into arrays. Typed arrays have the byte order of the machine: little-endian wherever there is a browser with
+// WebGL.
 
 function bytes(base64: string): ArrayBuffer {
   const text = atob(base64);

@@ -8,7 +8,11 @@ export type Axis = "x" | "y" | "z";
 const turn = Math.PI / 24;
 const zoom = 1.15;
 const distance = 1.85; // the surface has a diagonal of 1
-const axes: Record<Axis, THREE.Vector3> = { x: new THREE.Vector3(1, 0, 0), y: new THREE.Vector3(0, 1, 0), z: new THREE.Vector3(0, 0, 1) };
+const axes: Record<Axis, THREE.Vector3> = {
+  x: new THREE.Vector3(1, 0, 0),
+  y: new THREE.Vector3(0, 1, 0),
+  z: new THREE.Vector3(0, 0, 1),
+};
 
 /** A camera that looks at the origin. */
 export function make_camera(): THREE.PerspectiveCamera {
@@ -18,12 +22,19 @@ export function make_camera(): THREE.PerspectiveCamera {
 /** Puts the camera back to where it starts: obliquely from above, `up` being up. */
 export function reset_camera(camera: THREE.PerspectiveCamera, up: Axis): void {
   camera.up.copy(axes[up]);
-  const start = { x: new THREE.Vector3(0.6, 0.6, -1), y: new THREE.Vector3(0.45, 0.45, 1), z: new THREE.Vector3(0.5, -1, 0.75) };
+  const start = {
+    x: new THREE.Vector3(0.6, 0.6, -1),
+    y: new THREE.Vector3(0.45, 0.45, 1),
+    z: new THREE.Vector3(0.5, -1, 0.75),
+  };
   camera.position.copy(start[up]).setLength(distance);
   camera.lookAt(0, 0, 0);
 }
 
-/** Lets a person move the camera at `canvas`; `moved` is called when it has moved. Call `update` after the camera was put elsewhere. */
+/**
+ * Lets a person move the camera at `canvas`; `moved` is called when it has moved. Call `update` after the camera was
+ * put elsewhere.
+ */
 export class CameraControls {
   private readonly orbit_: OrbitControls;
 

@@ -18,7 +18,13 @@ export interface Column {
 
 const megabyte = 1e6;
 
-function number(id: string, group: string, label: string, value: Column["value"], text: Column["text"] = (v) => figure(v)): Column {
+function number(
+  id: string,
+  group: string,
+  label: string,
+  value: Column["value"],
+  text: Column["text"] = (v) => figure(v),
+): Column {
   return { id, group, label, value, text, kind: "number" };
 }
 
@@ -33,7 +39,8 @@ export function stage_seconds({ seconds }: Result): number | null {
   return all.length ? all.reduce((sum, s) => sum + s, 0) : null;
 }
 
-export const factor_text = (factor: number | null) => (factor === null ? "none" : factor === 1 ? "exact" : `≤ ${exactly(factor)}`);
+export const factor_text = (factor: number | null) =>
+  factor === null ? "none" : factor === 1 ? "exact" : `≤ ${exactly(factor)}`;
 
 export function guarantee_text({ guarantee }: Result): string {
   if (guarantee.stated === null) return "none stated";
@@ -64,8 +71,12 @@ export const columns: Column[] = [
   number("stages", "Time, s", "stages", stage_seconds),
   number("prepare", "Time, s", "prepare", ({ seconds }) => seconds.prepare),
   number("per_source", "Time, s", "source", ({ seconds }) => seconds.per_source),
-  number("peak", "Memory, MB", "peak", ({ memory }) => (memory.peak_bytes === null ? null : memory.peak_bytes / megabyte)),
-  number("prepared", "Memory, MB", "prepared", ({ memory }) => (memory.prepared_bytes === null ? null : memory.prepared_bytes / megabyte)),
+  number("peak", "Memory, MB", "peak", ({ memory }) =>
+    memory.peak_bytes === null ? null : memory.peak_bytes / megabyte,
+  ),
+  number("prepared", "Memory, MB", "prepared", ({ memory }) =>
+    memory.prepared_bytes === null ? null : memory.prepared_bytes / megabyte,
+  ),
   number("mean", "Relative error", "mean", ({ errors }) => errors.mean),
   number("q99", "Relative error", "99 %", ({ errors }) => errors.quantiles["0.99"] ?? null),
   number("max_over", "Relative error", "over", ({ errors }) => errors.max_over),
@@ -94,7 +105,8 @@ export const columns: Column[] = [
     label: "guarantee",
     value: ({ guarantee }) => guarantee.stated,
     text: (_, result) => guarantee_text(result),
-    title: ({ guarantee }) => `${guarantee.worst === null ? "" : `worst factor seen ${exactly(guarantee.worst)}; `}${guarantee.why}`,
+    title: ({ guarantee }) =>
+      `${guarantee.worst === null ? "" : `worst factor seen ${exactly(guarantee.worst)}; `}${guarantee.why}`,
     kind: "words",
   },
   {

@@ -13,7 +13,9 @@ function block(caption: string, head: string[], rows: Row[]): HTMLElement | null
     "table",
     { class: "block" },
     element("caption", {}, caption),
-    head.length ? element("thead", {}, element("tr", {}, ...head.map((name) => element("th", { scope: "col" }, name)))) : null,
+    head.length
+      ? element("thead", {}, element("tr", {}, ...head.map((name) => element("th", { scope: "col" }, name))))
+      : null,
     element(
       "tbody",
       {},
@@ -25,7 +27,11 @@ function block(caption: string, head: string[], rows: Row[]): HTMLElement | null
 }
 
 const stage_rows = ({ stages, seconds }: Result) =>
-  Object.entries(stages).map(([stage, choice]): Row => [stage, choice, stage === "solver" ? "" : figure(seconds.stages[stage])]);
+  Object.entries(stages).map(([stage, choice]): Row => [
+    stage,
+    choice,
+    stage === "solver" ? "" : figure(seconds.stages[stage]),
+  ]);
 
 function error_rows({ errors }: Result): Row[] {
   const quantiles = Object.entries(errors.quantiles)
@@ -34,7 +40,10 @@ function error_rows({ errors }: Result): Row[] {
   return [
     ["targets compared", count(errors.compared)],
     ["of them exact", count(errors.histogram.zero)],
-    ...quantiles.map(([share, value]): Row => [`${count(Number((share * 100).toPrecision(9)))} % are at most`, figure(value)]),
+    ...quantiles.map(([share, value]): Row => [
+      `${count(Number((share * 100).toPrecision(9)))} % are at most`,
+      figure(value),
+    ]),
     ["near pairs", count(errors.near.compared)],
     ["far pairs", count(errors.far.compared)],
   ];
@@ -50,7 +59,9 @@ export function details(result: Result, source_names: string[]): HTMLElement {
     element(
       "p",
       {},
-      result.never_shorter ? "The solver states that no distance is below the true one." : "The solver may err to both sides.",
+      result.never_shorter
+        ? "The solver states that no distance is below the true one."
+        : "The solver may err to both sides.",
     ),
     element(
       "div",

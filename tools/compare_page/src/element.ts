@@ -57,5 +57,10 @@ export class Menu<T> {
 
 /** A section of the page under a heading. */
 export function section(id: string, heading: string, ...children: Child[]): HTMLElement {
-  return element("section", { id, "aria-labelledby": `${id}-heading` }, element("h2", { id: `${id}-heading` }, heading), ...children);
+  return element(
+    "section",
+    { id, "aria-labelledby": `${id}-heading` },
+    element("h2", { id: `${id}-heading` }, heading),
+    ...children,
+  );
 }

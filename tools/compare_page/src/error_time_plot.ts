@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Error against time, one mark a combination; an error of 0 has no place on a logarithmic axis and is drawn on a floor of its own.
+// Error against time, one mark a combination; an error of 0 has no place on a logarithmic axis and is drawn on a
+// floor of its own.
 import * as Plot from "@observablehq/plot";
 import { largest_error, stage_seconds } from "./columns";
 import { type Choice, element, Menu, section } from "./element";
@@ -52,7 +53,11 @@ function marks_of({ combinations }: Figures, time: Measure, error: Measure): { m
 }
 
 const legend = (marks: Mark[]) =>
-  element("ul", { class: "legend-list" }, ...marks.map(({ place, name }) => element("li", {}, mark_of(place), " ", name)));
+  element(
+    "ul",
+    { class: "legend-list" },
+    ...marks.map(({ place, name }) => element("li", {}, mark_of(place), " ", name)),
+  );
 
 function draw(figures: Figures, time: Choice<Measure>, error: Choice<Measure>, width: number): Node {
   const { marks, floor } = marks_of(figures, time.value, error.value);
@@ -93,7 +98,13 @@ function draw(figures: Figures, time: Choice<Measure>, error: Choice<Measure>, w
       ...(zeros
         ? [
             Plot.ruleY([floor], { strokeDasharray: "4 3", className: "floor" }),
-            Plot.text([floor], { y: (v: number) => v, frameAnchor: "left", dx: -8, textAnchor: "end", text: () => "0" }),
+            Plot.text([floor], {
+              y: (v: number) => v,
+              frameAnchor: "left",
+              dx: -8,
+              textAnchor: "end",
+              text: () => "0",
+            }),
           ]
         : []),
       ...marks.map((mark) => Plot.dot([mark], { ...options(mark), className: "combination-mark" })),
@@ -103,7 +114,12 @@ function draw(figures: Figures, time: Choice<Measure>, error: Choice<Measure>, w
   if (width < room_for_labels) return element("div", {}, drawn, legend(marks));
   write_labels(
     drawn,
-    marks.map((m) => ({ x: pixel(drawn, "x", m.time), y: pixel(drawn, "y", m.y), lift: m.y === floor ? 12 : 0, text: m.name })),
+    marks.map((m) => ({
+      x: pixel(drawn, "x", m.time),
+      y: pixel(drawn, "y", m.y),
+      lift: m.y === floor ? 12 : 0,
+      text: m.name,
+    })),
     width,
   );
   return drawn;
@@ -115,5 +131,10 @@ export function error_time_plot(figures: Figures): HTMLElement {
   const time = new Menu("Time:", "time", named(times), changed);
   const error = new Menu("Error:", "error", named(errors), changed);
   const plot = responsive((width) => draw(figures, time.value, error.value, width));
-  return section("error-time", "Error against time", element("div", { class: "controls" }, error.node, time.node), plot.node);
+  return section(
+    "error-time",
+    "Error against time",
+    element("div", { class: "controls" }, error.node, time.node),
+    plot.node,
+  );
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The data that `geodrome compare --html` puts into the page: its types, and how it is read. Rows count from 0, seconds are
-// seconds, memory is in bytes, errors are D/T - 1 for the distance D of a combination and the true distance T.
+// The data that `geodrome compare --html` puts into the page: its types, and how it is read. Rows count from 0,
+// seconds are seconds, memory is in bytes, errors are D/T - 1 for the distance D of a combination and the true
+// distance T.
 
 export interface Figures {
   schema: string;
@@ -99,7 +100,10 @@ const words: Record<string, number> = { inf: Infinity, "-inf": -Infinity, nan: N
 const revive = (key: string, value: unknown) =>
   typeof value === "string" && value in words && !text_members.has(key) ? words[value] : value;
 
-/** The data of the page; null if it holds none. Throws an Error that says what is wrong with data that this page cannot show. */
+/**
+ * The data of the page; null if it holds none. Throws an Error that says what is wrong with data that this page
+ * cannot show.
+ */
 export function read_comparison(page: Document): Comparison | null {
   const text = page.getElementById("geodrome-comparison")?.textContent;
   if (!text) return null;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Numbers as engineers read them: a few digits, plain where that is short, else with an exponent that is a multiple of 3.
+// Numbers as engineers read them: a few digits, plain where that is short, else with an exponent that is a multiple
+// of 3.
 
 /** What stands where nothing was measured or nothing applies. */
 export const nothing = "–";

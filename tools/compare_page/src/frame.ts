@@ -5,7 +5,10 @@ export class Frame {
   private readonly centre_: [number, number, number];
   readonly diagonal: number;
 
-  /** The frame of a surface: 3 coordinates a vertex. Throws an Error where they do not span anything in 32-bit numbers. */
+  /**
+   * The frame of a surface: 3 coordinates a vertex. Throws an Error where they do not span anything in 32-bit
+   * numbers.
+   */
   constructor(positions: Float32Array) {
     const low = [Infinity, Infinity, Infinity];
     const high = [-Infinity, -Infinity, -Infinity];

@@ -31,7 +31,10 @@ const common: Quantity[] = [
 
 function quantities_of(results: Result[]): Quantity[] {
   const counters = new Set(results.flatMap(({ growth }) => growth.flatMap((step) => Object.keys(step.counters))));
-  return [...common, ...[...counters].map((name): Quantity => ({ label: name, value: (step) => step.counters[name] ?? null }))];
+  return [
+    ...common,
+    ...[...counters].map((name): Quantity => ({ label: name, value: (step) => step.counters[name] ?? null })),
+  ];
 }
 
 /** The exponent e of y ~ faces^e, by least squares of the logarithms; null where fewer than two sizes were measured. */
@@ -47,7 +50,9 @@ export function exponent_of(points: Point[]): number | null {
 function curves_of({ combinations }: Figures, { value }: Quantity): Curve[] {
   return combinations.flatMap((c, place): Curve[] => {
     if (!ran(c)) return [];
-    const points = c.growth.map((step): Point => ({ faces: step.faces, y: value(step) ?? 0 })).filter(({ faces, y }) => y > 0 && faces > 0);
+    const points = c.growth
+      .map((step): Point => ({ faces: step.faces, y: value(step) ?? 0 }))
+      .filter(({ faces, y }) => y > 0 && faces > 0);
     return points.length ? [{ place, name: c.name, points }] : [];
   });
 }

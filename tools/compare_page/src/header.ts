@@ -5,7 +5,10 @@ import type { Figures } from "./figures";
 import { count, counted, exactly, figure } from "./format";
 
 function input_text({ input, targets }: Figures): string {
-  const size = input.kind === "mesh" ? `mesh of ${count(input.rows)} vertices, ${count(input.faces)} faces` : counted(input.rows, "point");
+  const size =
+    input.kind === "mesh"
+      ? `mesh of ${count(input.rows)} vertices, ${count(input.faces)} faces`
+      : counted(input.rows, "point");
   return `${size}, diagonal ${figure(input.diagonal, 4)}; ${counted(targets, "target")} a source`;
 }
 
@@ -23,13 +26,20 @@ export function header(figures: Figures): HTMLElement {
     ["Truth", figures.truth.text],
     ["Sources", sources_list(figures)],
     ["Combinations", `${figures.combinations.length}${failed ? `, of which ${failed} did not run` : ""}`],
-    ["Near, far", `pairs below ${exactly(figures.near)}, at least ${exactly(figures.far)} of the largest true distance`],
+    [
+      "Near, far",
+      `pairs below ${exactly(figures.near)}, at least ${exactly(figures.far)} of the largest true distance`,
+    ],
   ];
   return element(
     "header",
     {},
     element("h1", {}, element("span", { class: "file" }, figures.input.file)),
     element("p", { class: "version" }, `geodrome compare ${figures.version}`),
-    element("dl", { class: "facts" }, ...facts.flatMap(([term, text]) => [element("dt", {}, term), element("dd", {}, text)])),
+    element(
+      "dl",
+      { class: "facts" },
+      ...facts.flatMap(([term, text]) => [element("dt", {}, term), element("dd", {}, text)]),
+    ),
   );
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How often which error occurs: small multiples on common axes, log10 |D/T - 1|, targets without any error as a bar of their own.
+// How often which error occurs: small multiples on common axes, log10 |D/T - 1|, targets without any error as a bar
+// of their own.
 import * as Plot from "@observablehq/plot";
 import { element, section } from "./element";
 import { type Figures, type Result, ran } from "./figures";
@@ -25,9 +26,10 @@ function bars_of({ errors: { histogram } }: Result, zero: number): Bar[] {
     const [from, to] = [decades[i]!, decades[i + 1]!];
     return { from, to, share: n / all, text: `${figure(10 ** from)} to ${figure(10 ** to)}\n${told(n)}` };
   });
-  return [{ from: zero, to: zero + 1, share: histogram.zero / all, text: `no error\n${told(histogram.zero)}` }, ...bars].filter(
-    (bar) => bar.share > 0,
-  );
+  return [
+    { from: zero, to: zero + 1, share: histogram.zero / all, text: `no error\n${told(histogram.zero)}` },
+    ...bars,
+  ].filter((bar) => bar.share > 0);
 }
 
 interface Frame {
@@ -43,7 +45,12 @@ function frame_of(results: Result[]): Frame {
   const first = Math.floor(Math.min(...used.map((bar) => bar.from), -1));
   const last = Math.ceil(Math.max(...used.map((bar) => bar.to), 0));
   const zero = first - 2;
-  return { zero, first, last, highest: Math.max(...results.flatMap((r) => bars_of(r, zero)).map((bar) => bar.share), 0) };
+  return {
+    zero,
+    first,
+    last,
+    highest: Math.max(...results.flatMap((r) => bars_of(r, zero)).map((bar) => bar.share), 0),
+  };
 }
 
 function draw(result: Result, place: number, { zero, first, last, highest }: Frame, width: number): Node {
@@ -63,10 +70,24 @@ function draw(result: Result, place: number, { zero, first, last, highest }: Fra
       tickFormat: (d: number) => (d < first ? "0" : d === 0 ? "1" : `1e${d}`),
       label: null,
     },
-    y: { domain: [0, highest], ticks: 3, tickFormat: (share: number) => `${Math.round(100 * share)} %`, label: null, grid: true },
+    y: {
+      domain: [0, highest],
+      ticks: 3,
+      tickFormat: (share: number) => `${Math.round(100 * share)} %`,
+      label: null,
+      grid: true,
+    },
     marks: [
       Plot.ruleX([first - 0.5], { strokeOpacity: 0.35, strokeDasharray: "2 3" }),
-      Plot.rectY(bars, { x1: "from", x2: "to", y: "share", fill: colour_of(place), insetLeft: 0.5, insetRight: 0.5, className: "bars" }),
+      Plot.rectY(bars, {
+        x1: "from",
+        x2: "to",
+        y: "share",
+        fill: colour_of(place),
+        insetLeft: 0.5,
+        insetRight: 0.5,
+        className: "bars",
+      }),
       Plot.ruleY([0]),
       Plot.tip(bars, Plot.pointerX({ x: (bar: Bar) => (bar.from + bar.to) / 2, y: "share", title: "text" })),
     ],
@@ -80,5 +101,9 @@ export function histograms({ combinations }: Figures): HTMLElement {
     const plot = responsive((width) => draw(c, place, frame, width)).node;
     return [element("figure", { class: "histogram" }, element("figcaption", {}, mark_of(place), " ", c.name), plot)];
   });
-  return section("histograms", "Relative errors, share of targets", element("div", { class: "multiples" }, ...multiples));
+  return section(
+    "histograms",
+    "Relative errors, share of targets",
+    element("div", { class: "multiples" }, ...multiples),
+  );
 }

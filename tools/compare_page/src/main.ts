@@ -36,7 +36,9 @@ function show(page: HTMLElement): void {
     page.before(header(data));
     page.append(...sections(data).filter((node): node is Node => node !== null));
   } catch (error) {
-    page.replaceChildren(element("p", { class: "absent" }, `This page shows no comparison: ${(error as Error).message}.`));
+    page.replaceChildren(
+      element("p", { class: "absent" }, `This page shows no comparison: ${(error as Error).message}.`),
+    );
   }
   window.geodrome.ready = true;
 }

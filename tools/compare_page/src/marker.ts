@@ -31,7 +31,12 @@ export class Marker extends THREE.Group {
     super();
     const map = disc(inner, outer);
     const sprite = (hidden: boolean) => {
-      const material = new THREE.SpriteMaterial({ map, depthTest: !hidden, opacity: hidden ? hidden_opacity : 1, sizeAttenuation: false });
+      const material = new THREE.SpriteMaterial({
+        map,
+        depthTest: !hidden,
+        opacity: hidden ? hidden_opacity : 1,
+        sizeAttenuation: false,
+      });
       const made = new THREE.Sprite(material);
       made.scale.setScalar(size);
       made.renderOrder = hidden ? 3 : 4;

@@ -5,7 +5,10 @@ import { element } from "./element";
 
 type Drawn = ReturnType<typeof Plot.plot>;
 
-/** A box that holds what `draw` makes for its width, made anew when that changes; `redraw` makes it anew with other choices. */
+/**
+ * A box that holds what `draw` makes for its width, made anew when that changes; `redraw` makes it anew with other
+ * choices.
+ */
 export function responsive(draw: (width: number) => Node): { node: HTMLElement; redraw: () => void } {
   const node = element("div", { class: "plot" });
   let width = 0;
@@ -32,7 +35,10 @@ export interface LogAxis {
 
 const power_of_ten = (exponent: number) => Number(`1e${exponent}`);
 
-/** A logarithmic axis around positive values, with at most about `most` ticks: decades, or 1, 2, 5 where there are few. */
+/**
+ * A logarithmic axis around positive values, with at most about `most` ticks: decades, or 1, 2, 5 where there are
+ * few.
+ */
 export function log_axis(values: number[], most: number): LogAxis {
   const low = Math.max(Math.min(...values) / 1.5, smallest);
   const high = Math.min(Math.max(...values) * 1.5, largest);
@@ -68,7 +74,11 @@ export function write_labels(drawn: Drawn, labels: Label[], width: number): void
   const group = document.createElementNS("http://www.w3.org/2000/svg", "g");
   group.setAttribute("class", "labels");
   group.setAttribute("text-anchor", "start");
-  const taken: { left: number; right: number; y: number }[] = labels.map(({ x, y }) => ({ left: x - 5, right: x + 5, y }));
+  const taken: { left: number; right: number; y: number }[] = labels.map(({ x, y }) => ({
+    left: x - 5,
+    right: x + 5,
+    y,
+  }));
   for (const { x, y, lift, text } of labels) {
     const length = text.length * letter_width;
     const places = [-lift, 0, -12, 12, -24, 24, -36, 36].flatMap((dy) => [
@@ -76,7 +86,9 @@ export function write_labels(drawn: Drawn, labels: Label[], width: number): void
       { left: x - 9 - length, right: x - 9, y: y + dy },
     ]);
     const inside = places.filter(({ left, right }) => left >= 0 && right <= width);
-    const free = inside.find((p) => taken.every((t) => Math.abs(t.y - p.y) >= line_height || t.right < p.left || t.left > p.right));
+    const free = inside.find((p) =>
+      taken.every((t) => Math.abs(t.y - p.y) >= line_height || t.right < p.left || t.left > p.right),
+    );
     const place = free ?? inside[0] ?? places[0]!;
     taken.push(place);
     const node = document.createElementNS("http://www.w3.org/2000/svg", "text");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The 3D scene of one canvas: a surface with a field on it, the source, a path. It draws a frame when something has changed.
+// The 3D scene of one canvas: a surface with a field on it, the source, a path. It draws a frame when something has
+// changed.
 import * as THREE from "three";
 import { Line2 } from "three/addons/lines/Line2.js";
 import { LineGeometry } from "three/addons/lines/LineGeometry.js";
@@ -46,7 +47,8 @@ export class Scene {
 
   /** Precondition: the field belongs to the surface. `isolines`: how many up to the largest distance, 0: none. */
   field(field: Field, isolines: number): void {
-    const set = (name: string, values: Float32Array) => this.mesh_.geometry.setAttribute(name, new THREE.BufferAttribute(values, 1));
+    const set = (name: string, values: Float32Array) =>
+      this.mesh_.geometry.setAttribute(name, new THREE.BufferAttribute(values, 1));
     set("shade", field.shade);
     set("field_distance", field.distance);
     set("unreached", field.unreached);
@@ -60,7 +62,10 @@ export class Scene {
     this.draw();
   }
 
-  /** A path, as 3 coordinates a point; fewer than two points: none. What the surface hides of it stays visible, faintly. */
+  /**
+   * A path, as 3 coordinates a point; fewer than two points: none. What the surface hides of it stays visible,
+   * faintly.
+   */
   path(points: Float32Array, frame: Frame): void {
     for (const line of this.path_.children as Line2[]) {
       line.geometry.dispose();
@@ -76,7 +81,10 @@ export class Scene {
     this.draw();
   }
 
-  /** The vertex of the surface next to what is seen at a place of the canvas, both from -1 to 1; null beside the surface. */
+  /**
+   * The vertex of the surface next to what is seen at a place of the canvas, both from -1 to 1; null beside the
+   * surface.
+   */
   vertex_at(x: number, y: number): number | null {
     const ray = new THREE.Raycaster();
     this.fit_camera();
@@ -84,7 +92,8 @@ export class Scene {
     const hit = ray.intersectObject(this.mesh_)[0];
     if (!hit?.face) return null;
     const corner = new THREE.Vector3();
-    const gap = (vertex: number) => corner.fromBufferAttribute(this.mesh_.geometry.getAttribute("position"), vertex).distanceTo(hit.point);
+    const gap = (vertex: number) =>
+      corner.fromBufferAttribute(this.mesh_.geometry.getAttribute("position"), vertex).distanceTo(hit.point);
     return [hit.face.a, hit.face.b, hit.face.c].reduce((best, vertex) => (gap(vertex) < gap(best) ? vertex : best));
   }
 

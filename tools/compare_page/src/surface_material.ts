@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How a surface is coloured: a colour map over an interpolated value, isolines of the interpolated distance, grey where nothing
-// reaches, hatched where there is no value. Facets are lit from the eye, so that orientation does not matter.
+// How a surface is coloured: a colour map over an interpolated value, isolines of the interpolated distance, grey
+// where nothing reaches, hatched where there is no value. Facets are lit from the eye, so that orientation does not
+// matter.
 import * as THREE from "three";
 import { colour_bytes } from "./colour_maps";
 import type { FieldKind } from "./field";

@@ -62,7 +62,12 @@ class SurfaceSection {
       .map(({ name }, value) => ({ label: name, value }))
       .filter(({ value }) => data_.view!.combinations[value]);
     this.combination_ = new Menu("Combination:", "combination", combinations, () => this.choose_source());
-    this.beside_ = new Menu<number | null>("Beside it:", "beside", [{ label: "none", value: null }, ...combinations], () => this.show());
+    this.beside_ = new Menu<number | null>(
+      "Beside it:",
+      "beside",
+      [{ label: "none", value: null }, ...combinations],
+      () => this.show(),
+    );
     this.source_ = new Menu(
       "Source:",
       "source",
@@ -70,7 +75,9 @@ class SurfaceSection {
       () => this.choose_source(),
     );
     this.path_ = new Menu<number | null>("Path:", "path", [{ label: "none", value: null }], () => this.show());
-    this.frame_ = new Frame(floats(data_.view!.surfaces[data_.view!.combinations[this.combination_.value]!.surface]!.positions));
+    this.frame_ = new Frame(
+      floats(data_.view!.surfaces[data_.view!.combinations[this.combination_.value]!.surface]!.positions),
+    );
     const view = () => new SurfaceView(data_, this.frame_, this.camera_, context_of, drawn);
     this.views_ = [view(), view()];
     this.controls_ = this.views_.map(({ canvas }) => new CameraControls(this.camera_, canvas, () => this.draw()));
@@ -78,7 +85,9 @@ class SurfaceSection {
     const back = element("button", { type: "button" }, "Reset view");
     back.addEventListener("click", () => this.reset());
     const isolines = element("label", {}, "Isolines: ", this.slider_, " ", this.spacing_);
-    const menus = [this.combination_, this.beside_, this.source_, this.kind_, this.range_, this.path_].map((menu) => menu.node);
+    const menus = [this.combination_, this.beside_, this.source_, this.kind_, this.range_, this.path_].map(
+      (menu) => menu.node,
+    );
     this.node = element(
       "div",
       {},
@@ -140,10 +149,14 @@ class SurfaceSection {
   }
 }
 
-/** The section on the surfaces; `drawn` is called after each frame. Where there is no WebGL or nothing to show, it says so. */
+/**
+ * The section on the surfaces; `drawn` is called after each frame. Where there is no WebGL or nothing to show, it
+ * says so.
+ */
 export function surface_section(data: Comparison, drawn: () => void): HTMLElement {
   const said = (text: string) => section("surface", "The surface", element("p", { class: "absent" }, text));
-  if (!data.view?.combinations.some((combination) => combination !== null)) return said("There is no surface to show: no combination ran.");
+  if (!data.view?.combinations.some((combination) => combination !== null))
+    return said("There is no surface to show: no combination ran.");
   const context_of = (canvas: HTMLCanvasElement) => {
     const context = canvas.getContext("webgl2", { antialias: true, alpha: true });
     if (!context) throw new Error("this browser has no WebGL 2, or it is switched off");

@@ -57,7 +57,10 @@ export class SurfaceView {
     const path = selection.path === null ? undefined : source.paths[selection.path];
     this.scene_.path(path ? floats(path.points) : new Float32Array(), this.frame_);
     this.title_.replaceChildren(name);
-    this.canvas.setAttribute("aria-label", `Surface of ${name}, coloured by ${selection.kind}; arrow keys turn it, plus and minus zoom`);
+    this.canvas.setAttribute(
+      "aria-label",
+      `Surface of ${name}, coloured by ${selection.kind}; arrow keys turn it, plus and minus zoom`,
+    );
     this.legend_.replaceChildren(...legend(field));
     this.readout_.textContent = path ? path_text(path) : "Click on the surface to read a vertex.";
   }
@@ -84,7 +87,8 @@ export class SurfaceView {
     if (vertex === null || !this.field_) return;
     const { source } = this.field_;
     const [d, e] = [floats(source.distances)[vertex]!, floats(source.errors)[vertex]!];
-    this.readout_.textContent = `Vertex ${vertex}: D = ${figure(d, 6)}, D/T − 1 = ${Number.isNaN(e) ? "not known" : figure(e)}`;
+    const error = Number.isNaN(e) ? "not known" : figure(e);
+    this.readout_.textContent = `Vertex ${vertex}: D = ${figure(d, 6)}, D/T − 1 = ${error}`;
   }
 }
 
@@ -109,7 +113,8 @@ function legend(field: Field): HTMLElement[] {
   const bar = element("div", { class: "bar" });
   bar.style.backgroundImage = colour_gradient(field.kind);
   const what = beyond ? "D/T − 1: blue is too short, red too long" : "distance D";
-  const range = field.smallest > field.largest ? "no values" : `from ${signed(field.smallest)} to ${signed(field.largest)}`;
+  const range =
+    field.smallest > field.largest ? "no values" : `from ${signed(field.smallest)} to ${signed(field.largest)}`;
   return [
     element("p", {}, `${what}; ${range}`),
     bar,

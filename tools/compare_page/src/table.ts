@@ -57,7 +57,8 @@ function rows_of(combination: Combination, place: number, source_names: string[]
   });
   const more = element("tr", { id, class: "more", hidden: "" });
   toggle.addEventListener("click", () => {
-    if (!more.hasChildNodes()) more.append(element("td", { colspan: String(columns.length + 1) }, details(combination, source_names)));
+    if (!more.hasChildNodes())
+      more.append(element("td", { colspan: String(columns.length + 1) }, details(combination, source_names)));
     more.hidden = !more.hidden;
     toggle.setAttribute("aria-expanded", String(!more.hidden));
   });
@@ -99,7 +100,9 @@ function sort_head(
 ): HTMLElement {
   const button = element("button", { type: "button", "aria-label": group ? `${group}: ${label}` : null }, label);
   const head = element("th", { scope: "col", class: kind, "data-column": id }, button);
-  button.addEventListener("click", () => sort(head, head.getAttribute("aria-sort") === "ascending" ? "descending" : "ascending"));
+  button.addEventListener("click", () =>
+    sort(head, head.getAttribute("aria-sort") === "ascending" ? "descending" : "ascending"),
+  );
   return head;
 }
 
@@ -118,13 +121,21 @@ export function table({ combinations, sources }: Figures): HTMLElement {
     body.append(...sorted(entries, column, direction).flatMap(({ rows }) => rows));
   };
   heads.append(sort_head("name", "words", "", "combination", sort_by(null)));
-  heads.append(...columns.map((column) => sort_head(column.id, column.kind, column.group, column.label, sort_by(column))));
+  heads.append(
+    ...columns.map((column) => sort_head(column.id, column.kind, column.group, column.label, sort_by(column))),
+  );
   const caption =
     `A click on a head sorts, ${nothing} is not measured. Source: median of a source. ` +
     "Over, under: the largest D/T − 1 of both signs. Errors compare targets that both reach.";
   return element(
     "div",
     { class: "scroll", tabindex: "0", role: "region", "aria-label": "Table of combinations" },
-    element("table", { class: "combinations" }, element("caption", {}, caption), element("thead", {}, group_row(), heads), body),
+    element(
+      "table",
+      { class: "combinations" },
+      element("caption", {}, caption),
+      element("thead", {}, group_row(), heads),
+      body,
+    ),
   );
 }
