@@ -8,7 +8,7 @@
 namespace geodrome {
 
 /// Distances at most 1 + delta times too long, and never too short, by a graph of Steiner points on bisectors
-/// (Aleksandrov, Maheshwari and Sack, J. ACM 52, 2005). README.md has the proof.
+/// (Aleksandrov, Maheshwari and Sack, J. ACM 52, 2005). PROOF.md has the proof.
 ///
 /// Any mesh: open, non-manifold, unoriented, with faces without area. O(F log(1 / delta) / delta^0.5) nodes,
 /// O(F log^2(1 / delta) / delta) edges, which are compared but not stored; a run costs what it reaches.

@@ -16,7 +16,7 @@ struct SourceStar {
 SourceStar source_star(const SteinerGraph& graph, Index vertex);
 
 /// The factor holds beyond `far_enough` of the reach; what is nearer is scaled out until it lies between that and
-/// `scaled_limit` of it, by steps of `scale_step`. README.md, Weights, has the proof of these numbers.
+/// `scaled_limit` of it, by steps of `scale_step`. PROOF.md, With weights, has the proof of these numbers.
 inline constexpr double far_enough = 1.0 / 8, scaled_limit = 7.0 / 16, scale_step = 1.5;
 /// A way that costs more than this share of the reach is to a place beyond `far_enough`.
 inline constexpr double surely_far = 1.0 / 4;

@@ -12,7 +12,7 @@ struct HalfAngle {
 HalfAngle half_angle(const IntrinsicTriangulation::Face& face, int corner);
 
 enum class Placement {
-  thin,      ///< ours, see README.md
+  thin,      ///< ours, see PROOF.md
   published  ///< Aleksandrov, Maheshwari and Sack 2005
 };
 
@@ -23,7 +23,7 @@ struct Bisector {
   double count = 0;  ///< a whole number, however large
 };
 
-/// Puts Steiner points on bisectors such that distances are at most 1 + delta times too long (README.md has the proof).
+/// Puts Steiner points on bisectors such that distances are at most 1 + delta times too long (PROOF.md has the proof).
 class SteinerPlacement {
  public:
   /// `delta` in (0, 1]. `thinning` >= 1 makes steps so many times as long, and voids the guarantee above 1.
