@@ -20,7 +20,7 @@ struct AuditSummary {
 /// Repeats up to three searches (the first, the middle, the last source on the surface) with Keep::map and audits a
 /// share of the faces of each. Each is audited on its own surface. Says "not audited" where `share` is 0 or the solver
 /// cannot answer at any point with paths.
-AuditSummary audit_sources(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
-                           double share, std::uint64_t seed, RunContext& context);
+AuditSummary audit_sources(const PreparedSolver& solver, const SourceSurfaces& surfaces,
+                           std::span<const NamedPoint> sources, double share, std::uint64_t seed, RunContext& context);
 
 }  // namespace geodrome

@@ -71,8 +71,8 @@ TEST_F(Streams, TheLineOfProgressIsGoneBeforeTheResultIsPrinted) {
   ASSERT_EQ(run("shape bumpy --mesh --faces 2000 -o b.ply", "> out"), 0);
   std::string sources = "0";
   for (int i = 1; i < 300; ++i) sources += "," + std::to_string(i);
-  const std::string text = on_terminal({"distances", (folder_ / "b.ply").string(), "--audit", "0", "--threads", "1", "-o",
-                                        (folder_ / "d.npy").string(), "--solver", "cgal", "--sources", sources});
+  const std::string text = on_terminal({"distances", (folder_ / "b.ply").string(), "--audit", "0", "--threads", "1",
+                                        "-o", (folder_ / "d.npy").string(), "--solver", "cgal", "--sources", sources});
   const std::string cleared = "\r\033[K";
   const std::size_t progress = text.rfind("distances "), summary = text.find("input      ");
   ASSERT_NE(summary, std::string::npos) << text;

@@ -17,9 +17,9 @@ enum class PointState : std::uint8_t {
   dropped     ///< taken for an outlier: later stages leave it out, its distances are NaN
 };
 
-/// The plane through `origin` with unit `normal`; the normal's sign is arbitrary. `origin` is the point itself, or where
-/// an estimator that smooths moved it: the later stages work on the origins, which are pairwise distinct. `residual`:
-/// root mean square distance of the neighbours from the fitted surface, in the units of the input.
+/// The plane through `origin` with unit `normal`; the normal's sign is arbitrary. `origin` is the point itself, or
+/// where an estimator that smooths moved it: the later stages work on the origins, which are pairwise distinct.
+/// `residual`: root mean square distance of the neighbours from the fitted surface, in the units of the input.
 struct TangentPlane {
   Vec3 origin, normal;
   double residual = 0;

@@ -14,8 +14,9 @@ namespace geodrome::conformance {
 /// RUN_ALL_TESTS:
 ///
 ///     int main(int argc, char** argv) {
+///       using namespace geodrome::conformance;
 ///       testing::InitGoogleTest(&argc, argv);
-///       geodrome::conformance::register_tests(geodrome::conformance::find_subject("build/lib/geodrome/solver_mine.so"));
+///       register_tests(find_subject("build/lib/geodrome/solver_mine.so"));
 ///       return RUN_ALL_TESTS();
 ///     }
 inline void register_tests(const Subject& subject) {
