@@ -32,7 +32,7 @@ std::string remedy_for(const std::string& code, bool decimated) {
       {"unused_points", "remove outliers, or " + denser},
       {"components", denser + " if the parts belong together"}};
   if (const auto found = remedies.find(code); found != remedies.end()) return found->second;
-  return decimated ? denser : "sample more evenly here, or decimate (--decimator greedy)";
+  return decimated ? denser : "sample more evenly here, or decimate (decimator greedy)";
 }
 
 /// Candidates of one kind, worst first.

@@ -6,6 +6,7 @@
 #include "engine/formats/bytes.hpp"
 #include "engine/formats/line_reader.hpp"
 #include "engine/formats/ply_header.hpp"
+#include "engine/formats/remedies.hpp"
 #include "engine/formats/soup.hpp"
 
 namespace geodrome::input {
@@ -121,11 +122,10 @@ void note_unused_weights(const PlyHeader& header, Soup& soup) {
           is_called_weight(property.name))
         soup.findings.push_back({Finding::Severity::note,
                                  "weights_not_used",
-                                 "The faces have a property '" + property.name +
-                                     "', which was not used: --weights property:" + property.name +
-                                     " measures with it.",
+                                 "The faces have a property '" + property.name + "', which was not used.",
                                  element.count,
-                                 {}});
+                                 {},
+                                 remedies::use_weights(property.name)});
 }
 
 template <class Values>

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "geodrome/finding.hpp"
+#include "geodrome/engine/observer.hpp"
+#include "geodrome/engine/remedies.hpp"
 
 namespace geodrome {
 
@@ -15,9 +16,17 @@ inline std::string message_of(const Finding& finding) {
   return finding.message + " [" + elements + (finding.elements.size() < finding.count ? ", ...]" : "]");
 }
 
-/// The same with its remedy in the words of the library.
-inline std::string text_of(const Finding& finding) {
-  return message_of(finding) + (finding.remedy.empty() ? "" : "; " + finding.remedy.text);
+/// The same with its remedy in the words of the observer.
+inline std::string text_of(const Finding& finding, const Observer& observer) {
+  std::string text = message_of(finding);
+  if (finding.remedy.empty()) return text;
+  if (text.ends_with('.')) text.pop_back();
+  return text + "; " + observer.words(finding.remedy);
+}
+
+/// An error for people: as its `what`, with the remedy in the words of the observer.
+inline std::string text_of(const Error& error, const Observer& observer) {
+  return text_of(error, observer.words(error.coded_remedy()));
 }
 
 }  // namespace geodrome

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "engine/input/merge.hpp"
+#include "engine/formats/remedies.hpp"
 #include "engine/input/findings.hpp"
+#include "engine/input/merge.hpp"
 
 namespace geodrome::input {
 namespace {
@@ -90,15 +91,15 @@ void tell_defects(const Polygons& polygons, Input& input) {
   facts.duplicate_faces = duplicates.count;
   facts.duplicate_positions = places.count;
   facts.isolated_vertices = isolated.count;
+  places.remedy = remedies::weld();
   report(input.findings, std::move(zero), Severity::warning, "zero_area_faces",
          counted(facts.zero_area_faces, "triangle has", "triangles have") + " no area; angles there mean nothing.");
   report(
       input.findings, std::move(duplicates), Severity::warning, "duplicate_faces",
       counted(facts.duplicate_faces, "face names", "faces name") + " the same vertices as an earlier face; they stay.");
-  report(
-      input.findings, std::move(places), Severity::warning, "duplicate_positions",
-      counted(facts.duplicate_positions, "vertex is", "vertices are") +
-          " at the same place as an earlier one; no path leads from one to the other there: use --weld to merge them.");
+  report(input.findings, std::move(places), Severity::warning, "duplicate_positions",
+         counted(facts.duplicate_positions, "vertex is", "vertices are") +
+             " at the same place as an earlier one; no path leads from one to the other there.");
   report(input.findings, std::move(isolated), Severity::warning, "isolated_vertices",
          counted(facts.isolated_vertices, "vertex is", "vertices are") + " on no face: unreachable.");
 }

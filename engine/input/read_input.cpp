@@ -5,11 +5,12 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "engine/formats/remedies.hpp"
+#include "engine/formats/soup.hpp"
+#include "engine/input/findings.hpp"
 #include "engine/input/merge.hpp"
 #include "engine/input/mesh_check.hpp"
 #include "engine/input/polygons.hpp"
-#include "engine/input/findings.hpp"
-#include "engine/formats/soup.hpp"
 #include "engine/input/weights.hpp"
 #include "geodrome/engine/input.hpp"
 
@@ -77,7 +78,7 @@ void drop_nonfinite(const SourceFile& file, const ReadOptions& options, Input& i
     const bool finite = is_finite(input.positions[row]);
     if (!finite && !options.drop_nonfinite)
       reject(file, InputFault::nonfinite, "point " + std::to_string(row) + " (from 0) is not finite",
-             "use --drop-nonfinite to leave such points out");
+             remedies::drop_nonfinite());
     input.element_of_row[row] = finite ? static_cast<Index>(kept.size()) : no_index;
     if (finite)
       kept.push_back(input.positions[row]);
@@ -143,12 +144,12 @@ void make_mesh(const SourceFile& file, const ReadOptions& options, Soup& soup, I
   for (std::size_t v = 0; v < input.positions.size(); ++v)
     if (!is_finite(input.positions[v]))
       reject(file, InputFault::nonfinite, "vertex " + std::to_string(v) + " (from 0) is not finite",
-             "repair the mesh, or use --as points --drop-nonfinite");
+             remedies::finite_points());
   input.facts.bounding_box_diagonal = checked_diagonal(file, input.positions);
   if (options.weld) weld(input);
   Polygons polygons = clean_faces(file, soup, input.element_of_row);
   if (polygons.size() == 0)
-    reject(file, InputFault::degenerate, "no face has three different corners", "use --as points to take its vertices");
+    reject(file, InputFault::degenerate, "no face has three different corners", remedies::take_vertices());
   Triangulated faces = triangulate(file, polygons, input.positions);
   tell_of_faces(polygons, faces, input);
   input.triangles = std::move(faces.triangles);
@@ -162,7 +163,7 @@ Input check(const SourceFile& file, const ReadOptions& options, Soup soup) {
   if (soup.positions.empty()) reject(file, InputFault::empty, "the file holds no points");
   input.kind = options.as.value_or(soup.face_count() > 0 ? InputKind::mesh : InputKind::points);
   if (input.kind == InputKind::mesh && soup.face_count() == 0)
-    reject(file, InputFault::empty, "a mesh is asked for, but the file has no faces", "use --as points");
+    reject(file, InputFault::empty, "a mesh is asked for, but the file has no faces", remedies::take_points());
   input.facts.rows = soup.positions.size();
   input.facts.faces_in_file = soup.face_count();
   input.findings = std::move(soup.findings);

@@ -23,19 +23,19 @@ void print_mesh(const Input& input, std::ostream& out) {
   if (f.genus) out << "genus " << *f.genus << ", ";
 }
 
-void print(const std::vector<Finding>& findings, std::ostream& out) {
+void print(const std::vector<Finding>& findings, const Observer& observer, std::ostream& out) {
   for (const Finding& finding : findings)
-    out << (finding.severity == Finding::Severity::note ? "note: " : "warning: ") << text_of(finding) << "\n";
+    out << (finding.severity == Finding::Severity::note ? "note: " : "warning: ") << text_of(finding, observer) << "\n";
 }
 
-void print(const Input& input, std::ostream& out) {
+void print(const Input& input, const Observer& observer, std::ostream& out) {
   const bool mesh = input.kind == InputKind::mesh;
   out << input.file.string() << ": " << input.format << ", " << input.facts.rows
       << (mesh ? " vertices, " : " points, ");
   if (mesh) print_mesh(input, out);
   out << "diagonal " << input.facts.bounding_box_diagonal << "\n";
   if (!input.weights.empty()) out << "weights    " << weights_text(input) << "\n";
-  print(input.findings, out);
+  print(input.findings, observer, out);
 }
 
 /// Stages 1 to 4 and what there is to tell of them.
@@ -54,7 +54,7 @@ void check_sample(const CheckJob& job, const Input& input, Observer& observer, J
   if (refusal)  // too little geometry to work on, as of an input that cannot be used
     json["error"] = {
         {"fault", name(InputFault::degenerate)}, {"message", refusal->what()}, {"remedy", refusal->remedy()}};
-  print(findings, text);
+  print(findings, observer, text);
   print_full(report, text);
 }
 
@@ -66,7 +66,7 @@ CheckReport run_check(const CheckJob& job, Observer& observer) {
   std::ostringstream text;
   text.precision(4);
   Json json{{"usable", true}, {"input", to_json(input)}};
-  print(input, text);
+  print(input, observer, text);
   if (input.kind == InputKind::points && !job.input_only) check_sample(job, input, observer, json, text, result);
   json["usable"] = !result.refusal;
   result.json = text_of(json), result.text = text.str();

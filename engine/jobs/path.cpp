@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "engine/formats/number_text.hpp"
+#include "engine/formats/remedies.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/output/atomic_file.hpp"
@@ -20,7 +21,7 @@ NamedPoint select_one(const std::string& text, const char* what, const Opened& o
   const std::vector<NamedPoint> queries = select(text, opened.input, opened.surface);
   if (queries.size() != 1)
     throw OptionError(std::string(what) + " names " + std::to_string(queries.size()) + " points", "name one");
-  if (queries[0].start != 0) throw OptionError(std::string(what) + ": the end of a path has no start distance");
+  if (queries[0].start != 0) throw OptionError(std::string(what) + " has no start distance of its own");
   if (queries[0].place.state == Place::State::dropped)
     throw OptionError(std::string(what) + ": row " + queries[0].label + " was dropped");
   return queries[0];
@@ -94,14 +95,15 @@ PathResult find_path(const PreparedSolver& solver, const SourceSurface& on, RunC
 
 PathResult run_path(const PathJob& job, Observer& observer) {
   if (job.query == ProjectionRule::printed)
-    throw OptionError("--query printed has no paths: its distances are minima over several points",
-                      "say --query insert, or leave it out");
+    throw OptionError("the rule printed has no paths: its distances are minima over several points",
+                      remedies::insertion_or_default_rule());
   const Format format = job.out.empty() ? nullptr : format_of(job.out);
   const std::string selections[] = {job.from, job.to};
   check_outputs({&job.out, 1}, files_read(job.input, job.settings.read, selections));
   const PluginHost host(job.settings.plugin_path);
   const Opened opened = open_input(job.input, host, job.settings, observer);
-  const NamedPoint from = select_one(job.from, "--from", opened), to = select_one(job.to, "--to", opened);
+  const NamedPoint from = select_one(job.from, "the start of the path", opened),
+                   to = select_one(job.to, "the end of the path", opened);
   check_rule(job.query, opened, {&from, 1});
   const SourceSurface on = SourceSurfaces(job.query, opened, {to}).of(from);
   const PreparedSolver solver = prepare_solver(on.mesh, host, job.settings.stages.solver, job.settings, observer);

@@ -14,9 +14,10 @@
 #include <sstream>
 #include <vector>
 
+#include "engine/formats/number_text.hpp"
+#include "engine/formats/remedies.hpp"
 #include "engine/formats/source_file.hpp"
 #include "engine/output/atomic_file.hpp"
-#include "engine/formats/number_text.hpp"
 
 namespace geodrome {
 namespace {
@@ -128,7 +129,7 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void refuse(InputFault fault, const std::string& what, const std::string& remedy) const {
+  [[noreturn]] void refuse(InputFault fault, const std::string& what, const Remedy& remedy) const {
     throw InputError(fault, path_.string() + ": " + what, remedy);
   }
   [[noreturn]] void refuse_damaged(const std::string& part) const {
@@ -146,7 +147,7 @@ class Reader {
     preamble_ = std::bit_cast<Preamble>(bytes);
     const std::size_t begun = std::min<std::uint64_t>(size_, index_magic.size());
     if (std::memcmp(bytes.data(), index_magic.data(), begun) != 0)
-      refuse(InputFault::syntax, "is no index file", "name a file that 'geodrome queries --index' made, or a new one");
+      refuse(InputFault::syntax, "is no index file", remedies::other_index());
     if (size_ < sizeof(Preamble)) refuse(InputFault::truncated, "ends within its first bytes", rebuild_);
     if (preamble_.version != format_version)
       refuse(InputFault::unsupported,

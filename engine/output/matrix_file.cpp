@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/matrix_file.hpp"
+#include "engine/formats/remedies.hpp"
 
 #include <xxhash.h>
 
@@ -95,7 +96,7 @@ struct MatrixFile::Impl {
   void adopt(const Spec& stored) {
     if (const std::string text = differences(stored, spec); !text.empty())
       throw RefusedError(file.path().string() + " was started by a different run: " + text,
-                         "rerun without --resume to start anew, or restore the options");
+                         remedies::start_anew("restore the options"));
     if (!file.reserve(partial_bytes(spec)))
       refuse_room(spec, needed_room(spec, file.allocated()), available_room(spec.out));
     file.write_at(0, header.data(), header.size());
@@ -118,7 +119,7 @@ struct MatrixFile::Impl {
     file.read_at(0, begin.data(), begin.size());
     if (begin == header)
       throw RefusedError(file.path().string() + " is a whole matrix, but nothing tells which run it is of",
-                         "rename it to " + spec.out.string() + " if you know, or rerun without --resume");
+                         remedies::start_anew("rename it to " + spec.out.string() + " if you know"));
   }
 
   /// The name is given last, so that OUT is whole whenever it is there. From the cut to the renaming the fingerprint
@@ -160,7 +161,7 @@ struct MatrixFile::Impl {
       file.read_at(row_offset(row), values.data(), row_bytes);
       if (checksum(row, values.data(), row_bytes) != expected)
         throw InputError(InputFault::io, file.path().string() + ": row " + std::to_string(row) + " changed on disk",
-                         "check the disk, then rerun with --resume");
+                         remedies::go_on_after_repair());
       return std::vector<double>(values.begin(), values.end());
     };
     if (spec.scalar == ScalarType::float64) return load(std::vector<double>(spec.columns));

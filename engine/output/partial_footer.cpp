@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/formats/npy.hpp"
+#include "engine/formats/remedies.hpp"
 #include "geodrome/errors.hpp"
 
 namespace geodrome {
@@ -50,8 +51,7 @@ std::optional<MatrixFile::Spec> spec_of(const std::array<char, sizeof(Trailer)>&
 }
 
 [[noreturn]] void refuse_damaged(const PosixFile& file) {
-  throw RefusedError(file.path().string() + " is damaged, or no unfinished matrix",
-                     "remove it, or rerun without --resume to start anew");
+  throw RefusedError(file.path().string() + " is damaged, or no unfinished matrix", remedies::start_anew("remove it"));
 }
 
 std::string shortened(const std::string& text) {

@@ -55,11 +55,14 @@ Json to_json(double value) {
 }
 
 Json to_json(const Finding& finding) {
-  return {{"severity", word(finding.severity)},
-          {"code", finding.code},
-          {"message", finding.message},
-          {"count", finding.count},
-          {"elements", finding.elements}};
+  Json json{{"severity", word(finding.severity)},
+            {"code", finding.code},
+            {"message", finding.message},
+            {"count", finding.count},
+            {"elements", finding.elements}};
+  if (!finding.remedy.empty()) json["remedy"] = finding.remedy.text;
+  if (!finding.remedy.code.empty()) json["remedy_code"] = finding.remedy.code;
+  return json;
 }
 
 Json to_json(const std::vector<Finding>& findings) {

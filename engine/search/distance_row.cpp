@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/formats/remedies.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -37,7 +39,7 @@ std::unique_ptr<Search> make_search(const PreparedSolver& solver) {
 void demand(const PreparedSolver& solver, Provides wanted, const char* what) {
   if (!solver.provides(wanted))
     throw CapabilityError(solver.plugin.info.full_name() + " does not provide " + what,
-                          "choose a solver that does ('geodrome plugins show NAME' tells)");
+                          remedies::solver_that_provides());
 }
 
 void check_provides(const PreparedSolver& solver, std::span<const NamedPoint> sources,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "engine/formats/remedies.hpp"
+
 namespace geodrome {
 
 std::string_view name(ProjectionRule rule) {
@@ -32,17 +34,17 @@ std::string_view caveat(ProjectionRule rule) {
 
 void check_rule(ProjectionRule rule, const Opened& opened, std::span<const NamedPoint> sources) {
   if (rule == ProjectionRule::project) return;
-  const std::string option = "--query " + std::string(name(rule));
+  const std::string option = "the rule " + std::string(name(rule));
   if (opened.input.kind == InputKind::mesh)
     throw OptionError(option + " is for point samples: every row of a mesh is a vertex of the surface already",
-                      "leave --query out, or take the vertices as points with --as points");
+                      remedies::default_rule_or_points());
   if (std::ranges::any_of(sources, [](const NamedPoint& source) { return source.row == no_index; }))
     throw OptionError(option + " inserts points of the sample, and a source names a place that is none",
-                      "name sources by their rows, or leave --query out");
+                      remedies::default_rule_or("name sources by their rows"));
   if (!opened.surface.inserter)
     throw CapabilityError(opened.surface.stages.back().plugin.full_name() + " cannot insert points into its surface, " +
                               "which " + option + " needs",
-                          "choose another reconstructor, or leave --query out");
+                          remedies::default_rule_or("choose another reconstructor"));
 }
 
 }  // namespace geodrome

@@ -3,9 +3,10 @@
 
 #include <sstream>
 
+#include "engine/formats/remedies.hpp"
+#include "engine/host/stage_context.hpp"
 #include "engine/input/finding_text.hpp"
 #include "engine/report/sample_report.hpp"
-#include "engine/host/stage_context.hpp"
 
 namespace geodrome {
 
@@ -13,7 +14,8 @@ namespace {
 
 void tell(const std::vector<Finding>& findings, Observer& observer) {
   for (const Finding& finding : findings)
-    observer.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning, text_of(finding));
+    observer.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning,
+                 text_of(finding, observer));
 }
 
 /// That a mesh has a boundary or several components is no news to whoever made it: `check` and the report say so.
@@ -28,9 +30,13 @@ void tell_unused(const StageChoice& chosen, Observer& observer) {
   const bool same = chosen.tangent == standard.tangent && chosen.control == standard.control &&
                     chosen.decimator == standard.decimator && chosen.reconstructor == standard.reconstructor;
   if (!same)
-    observer.log(
-        LogLevel::warning,
-        "the input is a mesh: the stages chosen for point samples do not run (--as points takes its vertices)");
+    tell({{Finding::Severity::warning,
+           "stages_not_used",
+           "the input is a mesh: the stages chosen for point samples do not run",
+           0,
+           {},
+           remedies::take_vertices()}},
+         observer);
 }
 
 void tell_sample(const Opened& opened, const RunSettings& settings, Observer& observer) {

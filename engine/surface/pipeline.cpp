@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/pipeline.hpp"
+#include "engine/formats/remedies.hpp"
 
 #include <algorithm>
 #include <thread>
@@ -40,7 +41,7 @@ void check_needs(const PluginInfo& plugin, const SurfaceMesh& mesh) {
   need(Needs::closed, mesh.closed(), "not closed");
   if (missing.empty()) return;
   throw CapabilityError(plugin.full_name() + " cannot work on this surface: " + missing,
-                        "repair the mesh, or choose a solver that needs less ('geodrome plugins show NAME' tells)");
+                        remedies::solver_that_needs_less());
 }
 
 /// The solvers that measure with weights, as a remedy. It tries every plugin, which takes seconds at worst.

@@ -222,7 +222,7 @@ class Reconstructing {
     throw SampleError("the sample is too sparse for its shape: " + what,
                       "about " + std::to_string(wanted) + " points as evenly spread would do (now " +
                           std::to_string(sample_.size()) + "), most of them at the places named; or keep all points " +
-                          "with --decimator none",
+                          "(decimator none)",
                       std::move(result_.findings));
   }
 

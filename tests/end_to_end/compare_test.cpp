@@ -267,7 +267,7 @@ TEST_F(Compare, ASampleGrowsByParts) {
 TEST_F(Compare, APartOfASampleThatIsTooSparseIsLeftOutAndTold) {
   const Outcome outcome = run(torus(), {"--growth", "8", "--json"});
   ASSERT_EQ(outcome.status, 0) << outcome.err;
-  EXPECT_NE(outcome.err.find("--growth: chen_han, 1/256 of the points: left out"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("growth: chen_han, 1/256 of the points: left out"), std::string::npos) << outcome.err;
   EXPECT_LT(json::parse(outcome.out)["combinations"][0]["growth"].size(), 9u);
 }
 

@@ -4,6 +4,7 @@
 
 #include "tools/geodrome/commands.hpp"
 #include "tools/geodrome/console.hpp"
+#include "tools/geodrome/remedies.hpp"
 #include "engine/report/json.hpp"
 
 namespace geodrome::cli {
@@ -23,7 +24,7 @@ int run(const Arguments& arguments) {
     return report.refusal ? exit_status(*report.refusal) : 0;
   } catch (const InputError& error) {
     if (!arguments.json) throw;
-    const Json what{{"fault", name(error.fault())}, {"message", error.message()}, {"remedy", error.remedy()}};
+    const Json what{{"fault", name(error.fault())}, {"message", error.message()}, {"remedy", words(error.coded_remedy())}};
     std::cout << text_of(Json{{"usable", false}, {"file", arguments.job.input.string()}, {"error", what}}) << "\n";
     return exit_status(error);
   }

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <iostream>
 
+#include "tools/geodrome/remedies.hpp"
+
 namespace geodrome::cli {
 
 namespace {
@@ -54,6 +56,8 @@ void Console::log(LogLevel level, std::string_view message) {
   std::fprintf(stderr, "%s%.*s\n", level == LogLevel::warning ? "warning: " : "", static_cast<int>(message.size()),
                message.data());
 }
+
+std::string Console::words(const Remedy& remedy) const { return cli::words(remedy); }
 
 void Console::clear_line() {
   if (line_shown_) std::fprintf(stderr, "\r\033[K");

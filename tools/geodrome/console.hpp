@@ -19,6 +19,7 @@ class Console final : public Observer {
 
   void progress(std::string_view stage, double fraction) override;
   void log(LogLevel level, std::string_view message) override;
+  std::string words(const Remedy& remedy) const override;
   bool cancelled() const noexcept override;
 
  private:

@@ -10,6 +10,7 @@
 #include "tools/geodrome/commands.hpp"
 #include "geodrome/engine/boundary.hpp"
 #include "geodrome/engine/version.hpp"
+#include "tools/geodrome/remedies.hpp"
 
 namespace {
 
@@ -84,6 +85,9 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "geodrome: out of memory; ask for less, or use a machine with more\n");
     return 1;
+  } catch (const geodrome::Error& error) {
+    std::fprintf(stderr, "geodrome: %s\n", geodrome::cli::text_of(error).c_str());
+    return geodrome::exit_status(error);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "geodrome: %s\n", error.what());
     return geodrome::exit_status(error);

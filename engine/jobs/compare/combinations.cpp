@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "engine/formats/remedies.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -20,31 +22,29 @@ constexpr StageMember stage_members[] = {{TangentEstimator::stage, &StageChoice:
                                          {SurfaceReconstructor::stage, &StageChoice::reconstructor},
                                          {ShortestPathSolver::stage, &StageChoice::solver}};
 
-constexpr const char* syntax = "write --stage STAGE=A,B[:k=v,...], e.g. --stage solver=chen_han,cgal";
-
 const StageMember& member_of(const std::string& stage) {
   std::string names;
   for (const StageMember& member : stage_members) {
     if (member.stage == stage) return member;
     names += (names.empty() ? "" : ", ") + std::string(member.stage);
   }
-  throw OptionError("--stage: there is no stage '" + stage + "'", "stages are " + names);
+  throw OptionError("there is no stage '" + stage + "'", "stages are " + names);
 }
 
 void check_varied(const VariedStage& varied, const StageMember& member, const StageChoice& fixed, InputKind kind) {
   if (kind == InputKind::mesh && varied.stage != ShortestPathSolver::stage)
-    throw OptionError("--stage " + varied.stage + ": the input is a mesh, which needs no stage but the solver",
-                      "vary the solver, or say --as points to take the vertices as a sample");
+    throw OptionError("the " + varied.stage + " is varied: the input is a mesh, which needs no stage but the solver",
+                      remedies::varied_solver_or_points());
   if (fixed.*member.choice != StageChoice().*member.choice)
-    throw OptionError("both --" + varied.stage + " and --stage " + varied.stage + " choose the " + varied.stage,
-                      "name all choices in --stage");
+    throw OptionError("the " + varied.stage + " is both chosen and varied", remedies::varied_only());
 }
 
 }  // namespace
 
 VariedStage parse_varied_stage(const std::string& text) {
   const std::size_t equals = text.find('=');
-  if (equals == std::string::npos) throw OptionError("--stage '" + text + "' names no choices", syntax);
+  if (equals == std::string::npos)
+    throw OptionError("the varied stage '" + text + "' names no choices", remedies::varied_syntax());
   VariedStage varied{text.substr(0, equals), {}};
   member_of(varied.stage);
   std::istringstream words(text.substr(equals + 1));
@@ -53,14 +53,16 @@ VariedStage parse_varied_stage(const std::string& text) {
     if (is_option && !varied.choices.empty())
       varied.choices.back() += "," + word;
     else if (word.empty() || is_option)
-      throw OptionError("--stage '" + text + "': there is no plugin before or after a comma", syntax);
+      throw OptionError("the varied stage '" + text + "': there is no plugin before or after a comma",
+                        remedies::varied_syntax());
     else
       varied.choices.push_back(word);
   }
-  if (varied.choices.empty()) throw OptionError("--stage '" + text + "' names no choices", syntax);
+  if (varied.choices.empty())
+    throw OptionError("the varied stage '" + text + "' names no choices", remedies::varied_syntax());
   for (auto choice = varied.choices.begin(); choice != varied.choices.end(); ++choice)
     if (std::find(varied.choices.begin(), choice, *choice) != choice)
-      throw OptionError("--stage '" + text + "' names " + *choice + " twice", "name it once");
+      throw OptionError("the varied stage '" + text + "' names " + *choice + " twice", "name it once");
   return varied;
 }
 
@@ -71,7 +73,7 @@ std::vector<Combination> combinations_of(std::span<const VariedStage> varied, co
     const StageMember& member = member_of(varied[k].stage);
     for (const VariedStage& other : varied.first(k))
       if (other.stage == varied[k].stage)
-        throw OptionError("--stage " + other.stage + " is given twice", "name all its choices in one");
+        throw OptionError("the stage " + other.stage + " is varied twice", "name all its choices in one");
     check_varied(varied[k], member, fixed, kind);
     std::vector<Combination> longer;
     for (const Combination& before : all)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/checks/seeded_subset.hpp"
+#include "engine/input/finding_text.hpp"
 #include "engine/jobs/compare/refined_surface.hpp"
 
 namespace geodrome {
@@ -22,7 +23,8 @@ std::string size_text(InputKind kind, unsigned level) {
 
 }  // namespace
 
-std::vector<NamedPoint> SamplePart::place(std::span<const NamedPoint> sources, const Input& whole, const PlacedSurface& surface) const {
+std::vector<NamedPoint> SamplePart::place(std::span<const NamedPoint> sources, const Input& whole,
+                                          const PlacedSurface& surface) const {
   std::vector<NamedPoint> placed(sources.begin(), sources.end());
   for (NamedPoint& source : placed) {
     if (const Index wanted = element_of(source, whole); wanted != no_index) {
@@ -107,7 +109,7 @@ std::vector<GrowthStep> ComparisonGrowth::of(const Combination& combination,
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
-      observer_.log(LogLevel::warning, "--growth: " + name + ": left out: " + error.what());
+      observer_.log(LogLevel::warning, "growth: " + name + ": left out: " + text_of(error, observer_));
     }
   }
   std::stable_sort(steps.begin(), steps.end(),

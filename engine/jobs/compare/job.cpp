@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "engine/input/finding_text.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/compare/checks.hpp"
 #include "engine/jobs/compare/growth.hpp"
@@ -80,13 +81,13 @@ class Comparison {
  private:
   /// An error is the combination's own: the others go on.
   template <class Function>
-  static void attempt(CombinationFigures& figures, Function&& function) {
+  void attempt(CombinationFigures& figures, Function&& function) {
     try {
       function();
     } catch (const Cancelled&) {
       throw;
     } catch (const Error& error) {
-      figures.error = error.what();
+      figures.error = text_of(error, observer_);
       figures.error_status = exit_status(error);
     }
   }

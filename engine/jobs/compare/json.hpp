@@ -6,7 +6,7 @@
 
 namespace geodrome {
 
-/// Schema "geodrome-comparison/1", which scripts and the page of `geodrome compare --html` read. What could not be
+/// Schema "geodrome-comparison/1", which scripts and the page of a comparison read. What could not be
 /// measured is null; so are errors of no pairs.
 Json to_json(const ComparisonFigures& figures);
 

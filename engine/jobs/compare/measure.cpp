@@ -42,6 +42,7 @@ class ProgressOfAll final : public Observer {
     observer_.progress(stage, (static_cast<double>(done_) + fraction) / static_cast<double>(searches_));
   }
   void log(LogLevel level, std::string_view message) override { observer_.log(level, message); }
+  std::string words(const Remedy& remedy) const override { return observer_.words(remedy); }
   bool cancelled() const noexcept override { return observer_.cancelled(); }
 
  private:

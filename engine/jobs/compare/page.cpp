@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/compare/page.hpp"
 
-#include "engine/host/installed.hpp"
+#include "engine/formats/remedies.hpp"
 #include "engine/formats/source_file.hpp"
+#include "engine/host/installed.hpp"
 #include "geodrome/errors.hpp"
 
 namespace geodrome {
@@ -14,9 +15,7 @@ namespace {
 constexpr std::string_view marker = "<!--geodrome-comparison-->";
 
 [[noreturn]] void fail(const std::string& what) {
-  throw CapabilityError(
-      "the page for --html " + what,
-      "install Debian's nodejs and npm, then configure and build Geodrome again; or leave --html out");
+  throw CapabilityError("the page of a comparison " + what, remedies::page_output());
 }
 
 fs::path installed_template() {

@@ -35,7 +35,7 @@ std::shared_ptr<const PlacedSurface> ComparedSurfaces::make(const StageChoice& c
   SurfaceAttempt made = attempt(choice);
   if (made.refusal) throw *made.refusal;
   for (const Finding& finding : made.surface.findings)
-    if (finding.severity == Finding::Severity::warning) observer_.log(LogLevel::warning, text_of(finding));
+    if (finding.severity == Finding::Severity::warning) observer_.log(LogLevel::warning, text_of(finding, observer_));
   return surfaces_[key] = std::make_shared<const PlacedSurface>(std::move(made.surface));
 }
 

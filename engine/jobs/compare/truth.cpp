@@ -35,7 +35,7 @@ std::filesystem::path truth_file(const std::string& truth) {
   if (truth == "first" || truth == "exact") return {};
   if (truth.starts_with(exact_prefix) && truth.size() > exact_prefix.size()) return {};
   if (truth.ends_with(".npy")) return truth;
-  throw OptionError("--truth '" + truth + "' is none", "say first, exact, exact:SOLVER or FILE.npy");
+  throw OptionError("the truth '" + truth + "' is none", "say first, exact, exact:SOLVER or FILE.npy");
 }
 
 DistanceRows rows_of_sources(NpyMatrix& matrix, const std::string& file, std::span<const NamedPoint> sources,
@@ -68,7 +68,7 @@ ComparisonTruth::ComparisonTruth(const std::string& truth, const Input& input, c
     kind_ = Kind::exact;
     name_ = truth == "exact" ? StageChoice().solver : truth.substr(exact_prefix.size());
     if (host.load<ShortestPathSolver>(name_).factor != 1)
-      throw OptionError("--truth " + truth + ": that solver is not exact", "choose one with factor 1, as chen_han");
+      throw OptionError("the truth " + truth + ": that solver is not exact", "choose one with factor 1, as chen_han");
   }
 }
 

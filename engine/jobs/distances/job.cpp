@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "engine/formats/remedies.hpp"
 #include "engine/formats/source_file.hpp"
+#include "engine/host/stage_context.hpp"
+#include "engine/jobs/check_outputs.hpp"
+#include "engine/jobs/distances/report.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
-#include "engine/jobs/check_outputs.hpp"
 #include "engine/search/projection_rule.hpp"
-#include "engine/jobs/distances/report.hpp"
-#include "engine/host/stage_context.hpp"
 #include "geodrome/engine/version.hpp"
 
 namespace geodrome {
@@ -53,15 +54,14 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
 
 /// Mistakes that would otherwise show after hours.
 void check_arguments(const DistanceJob& job) {
-  if (job.matrix.empty() && job.nearest.empty())
-    throw OptionError("nothing to write", "name an output: -o FILE or --nearest FILE");
+  if (job.matrix.empty() && job.nearest.empty()) throw OptionError("nothing to write", remedies::distances_output());
   if (!job.nearest.empty() && job.query != ProjectionRule::project)
-    throw OptionError("--nearest searches one surface from all sources, --query " + std::string(name(job.query)) +
-                          " has one for each of them",
-                      "leave --query out");
+    throw OptionError("the nearest source is sought on one surface for all sources, the rule " +
+                          std::string(name(job.query)) + " has one for each of them",
+                      remedies::default_rule());
   if (!(job.max_distance >= 0)) throw OptionError("the largest distance must be a number >= 0");
   if (!(job.audit_share >= 0 && job.audit_share <= 1)) throw OptionError("the audit's share must be from 0 to 1");
-  if (job.resume && job.matrix.empty()) throw OptionError("--resume goes on with a matrix", "name it with -o FILE");
+  if (job.resume && job.matrix.empty()) throw OptionError("there is no matrix to resume", remedies::matrix_output());
   check_ending(job.matrix, {".npy", ".csv"});
   check_ending(job.nearest, {".csv"});
   check_ending(job.report, {".json"});

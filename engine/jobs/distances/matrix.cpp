@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "engine/checks/matrix_view.hpp"
+#include "engine/formats/remedies.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/search/counter_sum.hpp"
 #include "engine/search/parallel_rows.hpp"
@@ -79,6 +80,7 @@ class RowMaker {
    public:
     explicit WithoutProgress(Observer& observer) : observer_(observer) {}
     void log(LogLevel level, std::string_view message) override { observer_.log(level, message); }
+    std::string words(const Remedy& remedy) const override { return observer_.words(remedy); }
     bool cancelled() const noexcept override { return observer_.cancelled(); }
 
    private:
@@ -183,8 +185,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   result.first_row_seconds = first.seconds();
   if (result.bytes > consent_bytes && !job.yes) {
     tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
-    throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes),
-                       "say --yes, ask for fewer sources or targets, or store float32");
+    throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
   }
   MatrixFile file = MatrixFile::open(spec, job.resume);
   result.resumed_rows = file.rows_done();
@@ -197,7 +198,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
     compute_rows(missing, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
   } catch (const Cancelled&) {
     observer.log(LogLevel::info, job.matrix.string() + ".partial holds " + std::to_string(file.rows_done()) + " of " +
-                                     std::to_string(spec.rows) + " rows: --resume goes on with it");
+                                     std::to_string(spec.rows) + " rows; " + observer.words(remedies::go_on()));
     throw;
   }
   result.seconds = watch.seconds() + result.first_row_seconds;

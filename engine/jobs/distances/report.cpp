@@ -4,8 +4,8 @@
 #include <cmath>
 #include <sstream>
 
-#include "engine/search/projection_rule.hpp"
 #include "engine/report/provenance.hpp"
+#include "engine/search/projection_rule.hpp"
 
 namespace geodrome {
 
@@ -131,7 +131,7 @@ std::string promised_by(const RunRecord& record) {
   if (others.empty()) return joined(promised);
   return joined(promised) + "; not promised by " +
          (record.job.query == ProjectionRule::project ? record.solver.plugin.info.full_name()
-                                                 : "--query " + std::string(name(record.job.query))) +
+                                                      : "the rule " + std::string(name(record.job.query))) +
          ": " + joined(others);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/pairs/index.hpp"
 
+#include "engine/formats/remedies.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/output/index_file.hpp"
 
@@ -39,10 +40,8 @@ void demand_pair_queries(const PluginInfo& solver, const PluginHost& host) {
   for (const PluginInfo& plugin : host.list().usable)
     if (plugin.stage == ShortestPathSolver::stage && has(plugin.provides, Provides::pair_queries))
       able += (able.empty() ? "" : ", ") + plugin.name;
-  throw CapabilityError(
-      solver.full_name() + " does not provide distances of arbitrary pairs (pair_queries)",
-      (able.empty() ? "no solver here does: " : "say --solver with one that does (" + able + "), or ") +
-          std::string("use 'geodrome distances', which works with every solver"));
+  throw CapabilityError(solver.full_name() + " does not provide distances of arbitrary pairs (pair_queries)",
+                        remedies::solver_of_pairs(able));
 }
 
 ReadyOracle ready_oracle(const SurfaceMesh& mesh, const PreparedSolver& solver, const std::filesystem::path& index,

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "engine/output/atomic_file.hpp"
 #include "engine/formats/npy.hpp"
 #include "engine/formats/number_text.hpp"
+#include "engine/formats/remedies.hpp"
+#include "engine/host/stage_context.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/pairs/report.hpp"
-#include "engine/host/stage_context.hpp"
+#include "engine/output/atomic_file.hpp"
 
 namespace geodrome {
 
@@ -15,7 +16,7 @@ namespace {
 /// Mistakes that would otherwise show after the oracle is built.
 void check_arguments(const PairJob& job) {
   if (job.pairs.empty()) throw OptionError("no pairs are named", "name a file with a pair a line");
-  if (job.out.empty()) throw OptionError("nothing to write", "name an output: -o FILE");
+  if (job.out.empty()) throw OptionError("nothing to write", remedies::pairs_output());
   check_ending(job.out, {".npy", ".csv"});
   check_ending(job.report, {".json"});
   const bool index_is_read = !job.index.empty() && std::filesystem::exists(job.index);

@@ -8,7 +8,7 @@
 namespace geodrome {
 
 /// What a user can do about an error or a finding: a sentence and, where a program may want to say it in words of its
-/// own ("say --yes"), a stable code with parameters. The sentence speaks of members and functions, never of the flags of
+/// own, a stable code with parameters. The sentence speaks of members and functions, never of the flags of
 /// a command line. Plugins may give the sentence alone.
 struct Remedy {
   Remedy() = default;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <string>
 #include <string_view>
 
+#include "geodrome/remedy.hpp"
 #include "geodrome/run_context.hpp"
 
 namespace geodrome {
@@ -16,6 +18,9 @@ class Observer {
   /// "view", or a combination that is compared; `fraction` in [0, 1].
   virtual void progress(std::string_view /*stage*/, double /*fraction*/) {}
   virtual void log(LogLevel, std::string_view /*message*/) {}
+  /// A remedy as the caller puts it to users of its own, in messages and tables: by its code (see `remedies.hpp`), or
+  /// the engine's sentence. Findings in reports hold the sentence and the code.
+  virtual std::string words(const Remedy& remedy) const { return remedy.text; }
   /// Asked often; true ends the job with Cancelled.
   virtual bool cancelled() const noexcept { return false; }
 };

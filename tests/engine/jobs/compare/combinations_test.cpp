@@ -36,7 +36,7 @@ TEST(VariedStage, SeparatesChoicesFromTheirOptions) {
 TEST(VariedStage, RefusesWhatNamesNothing) {
   for (const char* text : {"solver", "solver=", "=cgal", "solvers=cgal", "solver=,cgal", "solver=cgal,,chen_han",
                            "solver=k=1", "solver=cgal,cgal"})
-    expect_refused({text}, InputKind::mesh, "--stage");
+    expect_refused({text}, InputKind::mesh, "stage");
 }
 
 TEST(Combinations, AreTheProductWithTheLastStageFastest) {
@@ -69,7 +69,7 @@ TEST(Combinations, RefuseContradictions) {
   expect_refused({"tangent=jet,pca"}, InputKind::mesh, "mesh");
   StageChoice fixed;
   fixed.solver = "cgal";
-  expect_refused({"solver=a,b"}, InputKind::mesh, "both --solver and --stage solver", fixed);
+  expect_refused({"solver=a,b"}, InputKind::mesh, "the solver is both chosen and varied", fixed);
 }
 
 TEST(Combinations, OfAMeshTellTheSolverAlone) {
