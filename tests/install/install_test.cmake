@@ -1,8 +1,8 @@
 # cmake -D STEP=... -D BUILD=... -D SOURCE=... -D WORK=... -D LIBDIR=... -P install_test.cmake
 #
 # One step of the test of the installed package. The steps share WORK: prefix/ (the install), third_party/ (a program
-# and the template's plugin, built against it), solver_my_own/ (a whole project from the template) and my_own/ (its
-# build). What comes out wrong ends in a FATAL_ERROR.
+# and the template's plugin, built against it), solver_my_own/ (a whole project from the template), my_own/ (its
+# build) and command_line/ (the command line, built against the install). What comes out wrong ends in a FATAL_ERROR.
 set(prefix ${WORK}/prefix)
 set(third_party ${WORK}/third_party)
 
@@ -80,6 +80,21 @@ elseif(STEP STREQUAL "build")
       -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
       -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
   run(ignored ${CMAKE_COMMAND} --build ${third_party})
+elseif(STEP STREQUAL "command_line")
+  # The program needs nothing of the engine but what is installed. Not optimized: it is compiled to be run once.
+  set(root ${WORK}/command_line_root)
+  file(MAKE_DIRECTORY ${root}/tools)
+  foreach(folder geodrome shapes)
+    file(CREATE_LINK ${SOURCE}/../../tools/${folder} ${root}/tools/${folder} SYMBOLIC)
+  endforeach()
+  run(ignored ${CMAKE_COMMAND} -D ROOT=${root} -S ${SOURCE}/command_line -B ${WORK}/command_line -G ${GENERATOR}
+      -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
+      -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
+  run(ignored ${CMAKE_COMMAND} --build ${WORK}/command_line)
+  set(csv ${WORK}/command_line.csv)
+  run(ignored ${WORK}/command_line/geodrome/geodrome distances ${SOURCE}/rectangle.off -o ${csv}
+      --solver edge_dijkstra)
+  check_first_row(${csv})
 elseif(STEP STREQUAL "new")
   # What a stranger does: a project from the template, built, judged by the program and by its own tests.
   run(ignored ${CMAKE_COMMAND} -E chdir ${WORK} ${prefix}/bin/geodrome plugins new my_own --stage solver)
