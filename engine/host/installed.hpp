@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <filesystem>
-#include <string>
+#include "geodrome/engine/installed.hpp"
 
 /// What is installed beside the engine, found from where its library lies, so that an install can be moved.
 namespace geodrome {
@@ -12,9 +11,5 @@ std::filesystem::path engine_folder();
 
 /// A program that works on the engine's behalf. Throws PluginError, naming the places searched, if it is missing.
 std::filesystem::path installed_program(const std::string& name);
-
-/// A file or folder of data, "templates/solver" for one. Throws PluginError, naming the places searched, if it is
-/// missing.
-std::filesystem::path installed_data(const std::string& name);
 
 }  // namespace geodrome

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geodrome/engine/input.hpp"
+#include "geodrome/engine/outputs.hpp"
 
 namespace geodrome {
 
@@ -20,10 +21,5 @@ void check_ending(const std::filesystem::path& file, std::initializer_list<const
 
 /// Throws OptionError as `check_ending` for the name of a mesh, which must be .ply if it is read with weights.
 void check_mesh_ending(const std::filesystem::path& file, const ReadOptions& options);
-
-/// Finds mistakes in the names of the files to be written that would otherwise show after all is computed; empty names
-/// are left out. Throws InputError for a folder that is missing or may not be written and for what is no regular file,
-/// OptionError for a file that is also read or named twice, links and relative names seen through.
-void check_outputs(std::span<const std::filesystem::path> outputs, std::span<const std::filesystem::path> read);
 
 }  // namespace geodrome

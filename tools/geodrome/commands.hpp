@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,30 @@ void add_shape(CLI::App& app, Action& action);
 void add_plugins_check(CLI::App& plugins, Action& action);
 void add_plugins_new(CLI::App& plugins, Action& action);
 
+/// A subcommand, and what its options write into.
+template <class Arguments>
+struct Command {
+  CLI::App& app;
+  Arguments& arguments;
+};
+
+/// Adds a subcommand that does `run`. Its arguments live as long as `parent` or the action does.
+template <class Arguments>
+Command<Arguments> add_command(CLI::App& parent, Action& action, const std::string& name, const std::string& about,
+                               int (*run)(const Arguments&)) {
+  const auto arguments = std::make_shared<Arguments>();
+  CLI::App& app = *parent.add_subcommand(name, about);
+  app.callback([&action, arguments, run] { action = [arguments, run] { return run(*arguments); }; });
+  return {app, *arguments};
+}
+
 /// Options that several subcommands share, each declared once.
 void add_input(CLI::App& command, std::filesystem::path& file);
-void add_read_options(CLI::App& command, ReadOptions& read);
-void add_sample_stages(CLI::App& command, StageChoice& stages);
 void add_solver(CLI::App& command, StageChoice& stages);
-void add_run_options(CLI::App& command, RunSettings& settings);
+/// What every job has: sample stages, reading, plugins, threads, seed, quiet.
+void add_job_options(CLI::App& command, RunSettings& settings, bool& quiet);
+void add_sample_stages(CLI::App& command, StageChoice& stages);
+void add_read_options(CLI::App& command, ReadOptions& read);
 void add_threads(CLI::App& command, unsigned& threads, const std::string& help);
 void add_seed(CLI::App& command, RunSettings& settings);
 void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders);

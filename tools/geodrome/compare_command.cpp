@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <iostream>
-#include <memory>
 
 #include "tools/geodrome/commands.hpp"
 #include "tools/geodrome/console.hpp"
@@ -9,18 +8,14 @@ namespace geodrome::cli {
 
 namespace {
 
-struct Arguments {
-  CompareJob job;
-  bool json = false, quiet = false;
-};
+using CompareArguments = JobArguments<CompareJob>;
 
 /// Finer meshes grow by 4 each: more than this would hold more faces than an index can count.
 constexpr std::uint64_t most_levels = 16;
 constexpr std::uint64_t most_paths = 1000;
 
-int run(const Arguments& arguments) {
-  const CompareReport report =
-      with_console(arguments.quiet, [&](Console& console) { return run_compare(arguments.job, console); });
+int compare_plugins(const CompareArguments& arguments) {
+  const CompareReport report = at_console(run_compare, arguments);
   std::cout << (arguments.json ? report.json + "\n" : report.table);
   const int broken = tell_broken_promises(report.broken_promises, "those named");
   return broken != 0 ? broken : report.error_status;
@@ -42,7 +37,7 @@ void add_judgement(CLI::App& command, CompareJob& job) {
       ->capture_default_str();
 }
 
-void add_outputs(CLI::App& command, Arguments& arguments) {
+void add_comparison_outputs(CLI::App& command, CompareArguments& arguments) {
   CompareJob& job = arguments.job;
   command.add_flag("--json", arguments.json, "Figures as JSON on standard output, in place of the table");
   command.add_option("-o,--output", job.figures, "The same JSON in a file")->type_name("FIGURES.json");
@@ -57,10 +52,11 @@ void add_outputs(CLI::App& command, Arguments& arguments) {
 }  // namespace
 
 void add_compare(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
-  CompareJob& job = arguments->job;
-  CLI::App& command = *app.add_subcommand(
-      "compare", "Time, memory and errors of combinations of plugins, on the same input and sources, on one thread");
+  const auto [command, arguments] =
+      add_command(app, action, "compare",
+                  "Time, memory and errors of combinations of plugins, on the same input and sources, on one thread",
+                  compare_plugins);
+  CompareJob& job = arguments.job;
   add_input(command, job.input);
   command
       .add_option("--stage", job.varied,
@@ -71,14 +67,13 @@ void add_compare(CLI::App& app, Action& action) {
       ->type_name("LIST")
       ->capture_default_str();
   add_judgement(command, job);
-  add_outputs(command, *arguments);
+  add_comparison_outputs(command, arguments);
   add_solver(command, job.settings.stages);
   add_sample_stages(command, job.settings.stages);
   add_read_options(command, job.settings.read);
   add_plugin_path(command, job.settings.plugin_path);
   add_seed(command, job.settings);
-  add_quiet(command, arguments->quiet);
-  command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+  add_quiet(command, arguments.quiet);
 }
 
 }  // namespace geodrome::cli

@@ -64,6 +64,11 @@ void Console::clear_line() {
   line_shown_ = false;
 }
 
+int tell(const JobReport& report, const std::string& solver) {
+  std::cout << report.summary;
+  return tell_broken_promises(report.broken_promises, solver);
+}
+
 // Wrong numbers must not look like right ones: not even to a script that reads nothing but the status.
 int tell_broken_promises(const std::vector<std::string>& promises, const std::string& solver) {
   if (promises.empty()) return 0;
@@ -71,6 +76,12 @@ int tell_broken_promises(const std::vector<std::string>& promises, const std::st
   std::cerr << "geodrome: do not trust these distances; choose another solver than " << solver
             << ", or check the input\n";
   return 5;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
 }
 
 }  // namespace geodrome::cli

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "geodrome/engine/observer.hpp"
+#include "geodrome/engine/jobs.hpp"
 
 namespace geodrome::cli {
 
@@ -32,15 +32,28 @@ class Console final : public Observer {
   bool line_shown_ = false;
 };
 
-/// What a job gives. The console is gone when it returns, and with it the line of progress, so that results can be
-/// printed on the same terminal.
+/// What a command that runs a job of the engine was told.
 template <class Job>
-auto with_console(bool quiet, Job&& job) {
-  Console console(quiet);
-  return job(console);
+struct JobArguments {
+  Job job;
+  bool json = false, quiet = false;
+};
+
+/// Runs a job. The console is gone when its result is there, and with it the line of progress, so that the result can
+/// be printed on the same terminal.
+template <class Result, class Job>
+Result at_console(Result (*run)(const Job&, Observer&), const JobArguments<Job>& arguments) {
+  Console console(arguments.quiet);
+  return run(arguments.job, console);
 }
+
+/// Prints the summary of a job. Returns its exit status: `tell_broken_promises`.
+int tell(const JobReport& report, const std::string& solver);
 
 /// The exit status of a job that broke the promises, 0 if there is none; says on standard error what not to trust.
 int tell_broken_promises(const std::vector<std::string>& promises, const std::string& solver);
+
+/// "a, b, c".
+std::string joined(const std::vector<std::string>& words);
 
 }  // namespace geodrome::cli

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include <iostream>
 #include <limits>
-#include <memory>
 
 #include "tools/geodrome/commands.hpp"
 #include "tools/geodrome/console.hpp"
@@ -10,12 +8,13 @@ namespace geodrome::cli {
 
 namespace {
 
-struct Arguments {
-  DistanceJob job;
-  bool quiet = false;
-};
+using DistanceArguments = JobArguments<DistanceJob>;
 
-void add_outputs(CLI::App& command, DistanceJob& job) {
+int write_distances(const DistanceArguments& arguments) {
+  return tell(at_console(run_distances, arguments), arguments.job.settings.stages.solver);
+}
+
+void add_distance_outputs(CLI::App& command, DistanceJob& job) {
   command.add_option("-o,--output", job.matrix, "The matrix, rows = sources: .npy, or .csv up to 1e6 entries")
       ->type_name("FILE");
   add_choice<ScalarType>(command, "--dtype", job.scalar,
@@ -31,11 +30,11 @@ void add_outputs(CLI::App& command, DistanceJob& job) {
 }  // namespace
 
 void add_distances(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
-  DistanceJob& job = arguments->job;
-  CLI::App& command = *app.add_subcommand("distances", "Distances from sources to targets (default: all pairs)");
+  const auto [command, arguments] =
+      add_command(app, action, "distances", "Distances from sources to targets (default: all pairs)", write_distances);
+  DistanceJob& job = arguments.job;
   add_input(command, job.input);
-  add_outputs(command, job);
+  add_distance_outputs(command, job);
   const char* list = "'all', indices '0,5,9', or '@FILE' with lines 'i', 'x y z' or 'face b0 b1 b2'";
   command.add_option("--sources", job.sources, std::string(list) + ", each with an optional '+ start'")
       ->type_name("LIST")
@@ -55,18 +54,7 @@ void add_distances(CLI::App& app, Action& action) {
       ->type_name("SHARE")
       ->capture_default_str();
   add_solver(command, job.settings.stages);
-  add_sample_stages(command, job.settings.stages);
-  add_read_options(command, job.settings.read);
-  add_run_options(command, job.settings);
-  add_quiet(command, arguments->quiet);
-  command.callback([&action, arguments] {
-    action = [arguments] {
-      const JobReport report =
-          with_console(arguments->quiet, [&](Console& console) { return run_distances(arguments->job, console); });
-      std::cout << report.summary;
-      return tell_broken_promises(report.broken_promises, arguments->job.settings.stages.solver);
-    };
-  });
+  add_job_options(command, job.settings, arguments.quiet);
 }
 
 }  // namespace geodrome::cli

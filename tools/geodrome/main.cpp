@@ -7,9 +7,10 @@
 #include <iostream>
 #include <new>
 
-#include "tools/geodrome/commands.hpp"
 #include "geodrome/engine/boundary.hpp"
 #include "geodrome/engine/version.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
 #include "tools/geodrome/remedies.hpp"
 
 namespace {
@@ -36,12 +37,13 @@ void occupy_standard_streams() {
 /// CLI11 takes a word that is no command for a missing one.
 void demand_known_command(const CLI::App& app, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
-  std::string names;
+  std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands({})) {
     if (command->get_name() == argv[1]) return;
-    names += (names.empty() ? "" : ", ") + command->get_name();
+    names.push_back(command->get_name());
   }
-  throw geodrome::OptionError("there is no command '" + std::string(argv[1]) + "'", "choose one of " + names);
+  throw geodrome::OptionError("there is no command '" + std::string(argv[1]) + "'",
+                              "choose one of " + geodrome::cli::joined(names));
 }
 
 /// CLI11 reports through exceptions and statuses of its own: help and version are 0, every mistake is usage.

@@ -82,10 +82,13 @@ void add_threads(CLI::App& command, unsigned& threads, const std::string& help) 
       ->group(run_group);
 }
 
-void add_run_options(CLI::App& command, RunSettings& settings) {
+void add_job_options(CLI::App& command, RunSettings& settings, bool& quiet) {
+  add_sample_stages(command, settings.stages);
+  add_read_options(command, settings.read);
   add_plugin_path(command, settings.plugin_path);
   add_threads(command, settings.threads, "Threads; 0: one per core. No result depends on it");
   add_seed(command, settings);
+  add_quiet(command, quiet);
 }
 
 void add_seed(CLI::App& command, RunSettings& settings) {

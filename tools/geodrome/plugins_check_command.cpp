@@ -6,22 +6,23 @@
 #include <memory>
 #include <semaphore>
 
-#include "tools/geodrome/commands.hpp"
-#include "engine/report/json.hpp"
 #include "geodrome/conformance.hpp"
-#include "geodrome/engine/plugin_host.hpp"
+#include "tools/geodrome/commands.hpp"
 
 namespace geodrome::cli {
 
 namespace {
 
-using namespace conformance;
+using conformance::Demand;
+using conformance::Outcome;
+using conformance::Subject;
+using conformance::Verdict;
 
-struct Arguments {
+struct JudgeArguments {
   RunSettings settings;
   std::string selection, only;
   std::vector<std::filesystem::path> meshes;
-  Limits limits;
+  conformance::Limits limits;
   bool json = false;
 };
 
@@ -38,7 +39,7 @@ const char* word(Outcome outcome) {
 
 /// The demands of the plugin's stage that begin with `only`.
 std::vector<Demand> chosen(const Subject& subject, const std::string& only) {
-  std::vector<Demand> all = demands(subject.plugin.stage);
+  std::vector<Demand> all = conformance::demands(subject.plugin.stage);
   std::erase_if(all, [&](const Demand& demand) { return !demand.name.starts_with(only); });
   if (all.empty())
     throw OptionError("--only '" + only + "': no demand on a " + subject.plugin.stage + " plugin begins so",
@@ -49,7 +50,7 @@ std::vector<Demand> chosen(const Subject& subject, const std::string& only) {
 /// All verdicts in the order of the demands, judged by as many children at a time as there are threads. `tell` gets
 /// each as soon as it and those before it are there.
 template <class Tell>
-std::vector<Verdict> judge_all(const Subject& subject, const std::vector<Demand>& all, const Arguments& arguments,
+std::vector<Verdict> judge_all(const Subject& subject, const std::vector<Demand>& all, const JudgeArguments& arguments,
                                Tell&& tell) {
   std::counting_semaphore<> free(thread_count(arguments.settings));
   std::vector<std::future<Verdict>> running;
@@ -58,7 +59,7 @@ std::vector<Verdict> judge_all(const Subject& subject, const std::vector<Demand>
       free.acquire();
       const std::unique_ptr<std::counting_semaphore<>, void (*)(std::counting_semaphore<>*)> release(
           &free, [](std::counting_semaphore<>* s) { s->release(); });
-      return judge_in_child(subject, demand.name, arguments.limits);
+      return conformance::judge_in_child(subject, demand.name, arguments.limits);
     }));
   std::vector<Verdict> verdicts;
   for (auto& future : running) {
@@ -79,42 +80,16 @@ void print(const Verdict& verdict) {
     std::cout << "          (and " << verdict.failures - 1 << " more of " << verdict.checks << " checks)\n";
 }
 
-Json to_json(const Verdict& verdict) {
-  Json json = {{"demand", verdict.demand.name},
-               {"sentence", verdict.demand.sentence},
-               {"outcome", verdict.outcome == Outcome::not_applicable ? "not_applicable"
-                           : verdict.outcome == Outcome::held         ? "held"
-                                                                      : "failed"},
-               {"seconds", verdict.seconds}};
-  if (verdict.outcome == Outcome::not_applicable) json["why"] = verdict.found;
-  if (verdict.outcome != Outcome::failed) return json;
-  json["where"] = verdict.where, json["expected"] = verdict.expected, json["found"] = verdict.found;
-  json["checks"] = verdict.checks, json["failures"] = verdict.failures;
-  return json;
-}
-
 std::size_t count(const std::vector<Verdict>& verdicts, Outcome outcome) {
   return static_cast<std::size_t>(
       std::ranges::count_if(verdicts, [&](const Verdict& verdict) { return verdict.outcome == outcome; }));
 }
 
-void print_json(const Subject& subject, const std::vector<Verdict>& verdicts) {
-  Json list = Json::array();
-  for (const Verdict& verdict : verdicts) list.push_back(to_json(verdict));
-  const Json json = {{"plugin", geodrome::to_json(subject.plugin)},
-                     {"options", subject.options},
-                     {"held", count(verdicts, Outcome::held)},
-                     {"failed", count(verdicts, Outcome::failed)},
-                     {"not_applicable", count(verdicts, Outcome::not_applicable)},
-                     {"verdicts", std::move(list)}};
-  std::cout << text_of(json) << "\n";
-}
-
 /// The exit status of a plugin that does not keep its contract: that of what is refused.
 constexpr int not_conforming = 4;
 
-int run(const Arguments& arguments) {
-  Subject subject = find_subject(arguments.selection, arguments.settings.plugin_path);
+int judge_plugin(const JudgeArguments& arguments) {
+  Subject subject = conformance::find_subject(arguments.selection, arguments.settings.plugin_path);
   subject.meshes = arguments.meshes;
   const std::vector<Demand> all = chosen(subject, arguments.only);
   if (!arguments.json) std::cout << subject.plugin.full_name() << " from " << subject.plugin.file.string() << "\n";
@@ -123,7 +98,7 @@ int run(const Arguments& arguments) {
   });
   const std::size_t failed = count(verdicts, Outcome::failed);
   if (arguments.json)
-    print_json(subject, verdicts);
+    std::cout << conformance::json_text(subject, verdicts) << "\n";
   else
     std::cout << subject.plugin.full_name() << ": " << count(verdicts, Outcome::held) << " held, " << failed
               << " failed, " << count(verdicts, Outcome::not_applicable) << " not applicable\n";
@@ -133,29 +108,28 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_plugins_check(CLI::App& plugins, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App& command = *plugins.add_subcommand(
-      "check",
-      "Judges whether a plugin keeps the contract of its stage, each demand in a process of its own. Exit "
-      "status 4 if it does not");
-  command.add_option("PLUGIN", arguments->selection, "A name or the path of a file, with options: NAME[:k=v,...]")
+  const auto [command, arguments] =
+      add_command(plugins, action, "check",
+                  "Judges whether a plugin keeps the contract of its stage, each demand in a process of its own. Exit "
+                  "status 4 if it does not",
+                  judge_plugin);
+  command.add_option("PLUGIN", arguments.selection, "A name or the path of a file, with options: NAME[:k=v,...]")
       ->required();
-  command.add_option("--mesh", arguments->meshes, "A further mesh that a solver is judged on (may be repeated)")
+  command.add_option("--mesh", arguments.meshes, "A further mesh that a solver is judged on (may be repeated)")
       ->type_name("FILE")
       ->check(CLI::ExistingFile)
       ->allow_extra_args(false);
-  command.add_option("--only", arguments->only, "Only demands whose names begin so: 'paths' or 'distances.cube'")
+  command.add_option("--only", arguments.only, "Only demands whose names begin so: 'paths' or 'distances.cube'")
       ->type_name("PREFIX");
-  command.add_option("--timeout", arguments->limits.seconds, "Seconds that one demand may take")
+  command.add_option("--timeout", arguments.limits.seconds, "Seconds that one demand may take")
       ->check(number_from_to(0.001, 86400))
       ->capture_default_str();
-  command.add_option("--memory", arguments->limits.megabytes, "Megabytes of address space that one demand may take")
+  command.add_option("--memory", arguments.limits.megabytes, "Megabytes of address space that one demand may take")
       ->check(whole_number_up_to(1'000'000'000))
       ->capture_default_str();
-  command.add_flag("--json", arguments->json, "As JSON on standard output");
-  add_plugin_path(command, arguments->settings.plugin_path);
-  add_threads(command, arguments->settings.threads, "Demands judged at a time; 0: one per core");
-  command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+  command.add_flag("--json", arguments.json, "As JSON on standard output");
+  add_plugin_path(command, arguments.settings.plugin_path);
+  add_threads(command, arguments.settings.threads, "Demands judged at a time; 0: one per core");
 }
 
 }  // namespace geodrome::cli

@@ -3,32 +3,30 @@
 #include <cmath>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 
-#include "engine/report/json.hpp"
 #include "geodrome/engine/plugin_host.hpp"
+#include "geodrome/engine/plugin_text.hpp"
 #include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
 
 namespace geodrome::cli {
 
 namespace {
 
-struct Arguments {
+struct PluginArguments {
   std::vector<std::filesystem::path> plugin_path;
   std::string name;
   bool json = false;
 };
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text.empty() ? "nothing" : text;
+std::string joined_or_nothing(const std::vector<std::string>& words) {
+  return words.empty() ? "nothing" : joined(words);
 }
 
 std::string guarantee(double factor) {
   if (factor == 1) return "exact";
   if (std::isinf(factor)) return "none stated";
-  return "at most " + to_json(factor).dump() + " times the distance";
+  return "at most " + OptionValues::shown(factor) + " times the distance";
 }
 
 void print(const PluginListing& listing) {
@@ -44,7 +42,8 @@ void print(const PluginInfo& plugin) {
             << plugin.file.string() << "\n";
   if (plugin.stage == ShortestPathSolver::stage)
     std::cout << "  guarantee  " << guarantee(plugin.default_factor) << "\n  needs      "
-              << joined(words_of(plugin.needs)) << "\n  provides   " << joined(words_of(plugin.provides)) << "\n";
+              << joined_or_nothing(words_of(plugin.needs)) << "\n  provides   "
+              << joined_or_nothing(words_of(plugin.provides)) << "\n";
   for (const OptionInfo& option : plugin.options) {
     std::cout << "  option     " << option.name << "=" << option.default_value
               << (option.unit.empty() ? "" : " " + option.unit) << "  (";
@@ -56,44 +55,40 @@ void print(const PluginInfo& plugin) {
   }
 }
 
-int list(const Arguments& arguments) {
-  const PluginHost host(arguments.plugin_path);
-  const PluginListing listing = host.list();
+int list_plugins(const PluginArguments& arguments) {
+  const PluginListing listing = PluginHost(arguments.plugin_path).list();
   if (arguments.json)
-    std::cout << text_of(to_json(listing)) << "\n";
+    std::cout << json_text(listing) << "\n";
   else
     print(listing);
   return 0;
 }
 
 /// All plugins of a name, whatever the stage; a path names a file.
-int show(const Arguments& arguments) {
+int show_plugins(const PluginArguments& arguments) {
   const std::vector<PluginInfo> found = PluginHost(arguments.plugin_path).named(arguments.name);
-  Json json = Json::array();
-  for (const PluginInfo& plugin : found) json.push_back(to_json(plugin));
   if (arguments.json)
-    std::cout << text_of(json) << "\n";
+    std::cout << json_text(found) << "\n";
   else
     std::for_each(found.begin(), found.end(), [](const PluginInfo& plugin) { print(plugin); });
   return 0;
 }
 
+void add_listing(const Command<PluginArguments>& command) {
+  add_plugin_path(command.app, command.arguments.plugin_path);
+  command.app.add_flag("--json", command.arguments.json, "As JSON on standard output");
+}
+
 }  // namespace
 
 void add_plugins(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
   CLI::App& command = *app.add_subcommand("plugins", "The plugins that are there");
   command.require_subcommand(1);
-  CLI::App& list_command =
-      *command.add_subcommand("list", "All plugins, and the files that were refused, with the reason");
-  CLI::App& show_command = *command.add_subcommand("show", "One plugin: guarantee, needs, options");
-  show_command.add_option("NAME", arguments->name, "'cgal', 'solver_cgal', or the path of a file")->required();
-  for (CLI::App* sub : {&list_command, &show_command}) {
-    add_plugin_path(*sub, arguments->plugin_path);
-    sub->add_flag("--json", arguments->json, "As JSON on standard output");
-  }
-  list_command.callback([&action, arguments] { action = [arguments] { return list(*arguments); }; });
-  show_command.callback([&action, arguments] { action = [arguments] { return show(*arguments); }; });
+  add_listing(add_command(command, action, "list", "All plugins, and the files that were refused, with the reason",
+                          list_plugins));
+  const auto show = add_command(command, action, "show", "One plugin: guarantee, needs, options", show_plugins);
+  show.app.add_option("NAME", show.arguments.name, "'cgal', 'solver_cgal', or the path of a file")->required();
+  add_listing(show);
   add_plugins_check(command, action);
   add_plugins_new(command, action);
 }

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 #include <iostream>
-#include <memory>
 #include <sstream>
 
-#include "tools/geodrome/commands.hpp"
-#include "engine/host/installed.hpp"
-#include "geodrome/engine/input.hpp"
+#include "geodrome/engine/installed.hpp"
 #include "geodrome/plugin.hpp"
+#include "tools/geodrome/commands.hpp"
 
 namespace geodrome::cli {
 
@@ -15,13 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Arguments {
+struct NewPluginArguments {
   std::string name, stage;
   fs::path folder;
 };
 
 /// A name that serves as part of a file's, a target's and a C++ identifier.
-void check_name(const std::string& name) {
+void check_plugin_name(const std::string& name) {
   const bool right = !name.empty() && name.size() <= 40 && name[0] >= 'a' && name[0] <= 'z' &&
                      name.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_") == std::string::npos;
   if (!right)
@@ -47,7 +45,7 @@ std::string replaced(std::string text, const std::string& word, const std::strin
 }
 
 /// The template's placeholders: "template_name" and "TemplateName".
-std::string filled(const std::string& text, const std::string& name) {
+std::string with_name(const std::string& text, const std::string& name) {
   return replaced(replaced(text, "template_name", name), "TemplateName", class_name(name));
 }
 
@@ -60,13 +58,13 @@ void copy_file(const fs::path& from, const fs::path& to, const std::string& name
   std::ostringstream text;
   text << std::ifstream(from, std::ios::binary).rdbuf();
   std::ofstream out(to, std::ios::binary);
-  out << filled(text.str(), name);
+  out << with_name(text.str(), name);
   if (!out.flush()) throw unwritable(to);
   std::cout << to.string() << "\n";
 }
 
-int run(const Arguments& arguments) {
-  check_name(arguments.name);
+int start_plugin(const NewPluginArguments& arguments) {
+  check_plugin_name(arguments.name);
   const fs::path source = installed_data("templates/" + arguments.stage);
   const fs::path target =
       arguments.folder.empty() ? fs::path(arguments.stage + "_" + arguments.name) : arguments.folder;
@@ -75,23 +73,23 @@ int run(const Arguments& arguments) {
   std::error_code error;
   if (!fs::create_directories(target, error)) throw unwritable(target);
   for (const auto& entry : fs::directory_iterator(source))
-    copy_file(entry.path(), target / filled(entry.path().filename().string(), arguments.name), arguments.name);
+    copy_file(entry.path(), target / with_name(entry.path().filename().string(), arguments.name), arguments.name);
   return 0;
 }
 
 }  // namespace
 
 void add_plugins_new(CLI::App& plugins, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App& command = *plugins.add_subcommand(
-      "new", "Writes a project for a plugin of your own: it builds out of tree against the install and passes 'check'");
-  command.add_option("NAME", arguments->name, "Its name without the stage: small letters, digits, _")->required();
-  command.add_option("--stage", arguments->stage, "The stage it is to serve")
+  const auto [command, arguments] = add_command(
+      plugins, action, "new",
+      "Writes a project for a plugin of your own: it builds out of tree against the install and passes 'check'",
+      start_plugin);
+  command.add_option("NAME", arguments.name, "Its name without the stage: small letters, digits, _")->required();
+  command.add_option("--stage", arguments.stage, "The stage it is to serve")
       ->required()
       ->check(CLI::IsMember({ShortestPathSolver::stage}))
       ->type_name("STAGE");
-  command.add_option("-o", arguments->folder, "The folder to be made (default: STAGE_NAME)")->type_name("DIR");
-  command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
+  command.add_option("-o", arguments.folder, "The folder to be made (default: STAGE_NAME)")->type_name("DIR");
 }
 
 }  // namespace geodrome::cli

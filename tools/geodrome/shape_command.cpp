@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <iostream>
 #include <limits>
-#include <memory>
 
-#include "tools/geodrome/commands.hpp"
-#include "engine/jobs/check_outputs.hpp"
 #include "geodrome/engine/input.hpp"
+#include "geodrome/engine/outputs.hpp"
+#include "tools/geodrome/commands.hpp"
+#include "tools/geodrome/console.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome::cli {
@@ -15,9 +15,9 @@ namespace {
 using shapes::Sampling;
 
 /// Points or faces; more than anybody waits for, and few enough for memory and indices.
-constexpr std::uint64_t largest = 100'000'000;
+constexpr std::uint64_t largest_shape = 100'000'000;
 
-struct Arguments {
+struct ShapeArguments {
   std::string kind;
   std::filesystem::path out;
   shapes::SampleSpec spec;
@@ -25,7 +25,7 @@ struct Arguments {
   std::size_t faces = 5000;
 };
 
-int run(const Arguments& arguments) {
+int write_shape(const ShapeArguments& arguments) {
   check_outputs({&arguments.out, 1}, {});
   if (arguments.mesh) {
     const SurfaceMesh made = shapes::mesh(arguments.kind, arguments.faces, arguments.spec.seed);
@@ -40,42 +40,35 @@ int run(const Arguments& arguments) {
   return 0;
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
 }  // namespace
 
 void add_shape(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
-  CLI::App& command = *app.add_subcommand("shape", "Generates a shape, as points or as a mesh");
+  const auto [command, arguments] =
+      add_command(app, action, "shape", "Generates a shape, as points or as a mesh", write_shape);
   command
-      .add_option("KIND", arguments->kind,
-                  "Points: " + listed(shapes::sample_kinds()) + ". With --mesh: " + listed(shapes::mesh_kinds()))
+      .add_option("KIND", arguments.kind,
+                  "Points: " + joined(shapes::sample_kinds()) + ". With --mesh: " + joined(shapes::mesh_kinds()))
       ->required();
-  command.add_option("-o,--output", arguments->out, "Points: .xyz, .ply, .off; mesh: .ply, .off, .obj, .stl")
+  command.add_option("-o,--output", arguments.out, "Points: .xyz, .ply, .off; mesh: .ply, .off, .obj, .stl")
       ->required()
       ->type_name("FILE");
-  command.add_option("--points", arguments->spec.points, "How many points")
-      ->check(whole_number_up_to(largest))
+  command.add_option("--points", arguments.spec.points, "How many points")
+      ->check(whole_number_up_to(largest_shape))
       ->capture_default_str();
-  add_choice<Sampling>(command, "--sampling", arguments->spec.sampling,
+  add_choice<Sampling>(command, "--sampling", arguments.spec.sampling,
                        {{"uniform", Sampling::uniform}, {"blue", Sampling::blue}, {"grid", Sampling::grid}},
                        "uniform by area, blue noise, or a grid");
   command
-      .add_option("--noise", arguments->spec.noise, "Standard deviation along the normal, as a share of the diagonal")
+      .add_option("--noise", arguments.spec.noise, "Standard deviation along the normal, as a share of the diagonal")
       ->check(number_from_to(0, 1))
       ->capture_default_str();
-  command.add_flag("--mesh", arguments->mesh, "A mesh instead of points");
-  command.add_option("--faces", arguments->faces, "About how many faces")
-      ->check(whole_number_up_to(largest))
+  command.add_flag("--mesh", arguments.mesh, "A mesh instead of points");
+  command.add_option("--faces", arguments.faces, "About how many faces")
+      ->check(whole_number_up_to(largest_shape))
       ->capture_default_str();
-  command.add_option("--seed", arguments->spec.seed, "Seed of everything random")
+  command.add_option("--seed", arguments.spec.seed, "Seed of everything random")
       ->check(whole_number_up_to(std::numeric_limits<std::uint64_t>::max()))
       ->capture_default_str();
-  command.callback([&action, arguments] { action = [arguments] { return run(*arguments); }; });
 }
 
 }  // namespace geodrome::cli

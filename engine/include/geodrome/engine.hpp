@@ -6,6 +6,8 @@
 #include "geodrome/engine/input.hpp"
 #include "geodrome/engine/jobs.hpp"
 #include "geodrome/engine/pipeline.hpp"
+#include "geodrome/engine/plugin_text.hpp"
+#include "geodrome/engine/remedies.hpp"
 #include "geodrome/engine/plugin_host.hpp"
 #include "geodrome/engine/named_points.hpp"
 #include "geodrome/engine/row_set.hpp"

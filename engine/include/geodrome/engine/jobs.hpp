@@ -4,14 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "geodrome/engine/matrix_file.hpp"
+#include "geodrome/engine/named_points.hpp"
 #include "geodrome/engine/observer.hpp"
 #include "geodrome/engine/pipeline.hpp"
-#include "geodrome/engine/named_points.hpp"
+#include "geodrome/engine/surface_jobs.hpp"
 
 namespace geodrome {
 
@@ -73,28 +73,11 @@ struct PairJob {
 /// it is saved), and O(pairs).
 JobReport run_pairs(const PairJob& job, Observer& observer);
 
-/// What a file holds; of points also what stages 1 to 4 make of it, unless `input_only`.
-struct CheckJob {
-  std::filesystem::path input;
-  RunSettings settings;
-  bool input_only = false;
-};
-
-/// The report as JSON text and for people. A sample that a stage refuses is no exception here: it is told with all that
-/// was learned up to there.
-struct CheckReport {
-  std::string json, text;
-  std::optional<SampleError> refusal;
-};
-
-/// Throws what reading and the stages throw, but for SampleError.
-CheckReport run_check(const CheckJob& job, Observer& observer);
-
 /// One shortest path. `.obj` (a polyline), `.csv` (x,y,z,face,b0,b1,b2) or `.json` by the name's ending.
 struct PathJob {
   std::filesystem::path input;
   RunSettings settings;
-  std::string from, to;                  ///< one entry each, as `select` reads it
+  std::string from, to;                            ///< one entry each, as `select` reads it
   ProjectionRule query = ProjectionRule::project;  ///< not `printed`, whose minima are lengths of no path
   std::filesystem::path out;
 };

@@ -61,4 +61,8 @@ struct Limits {
 /// Throws PluginError if the program geodrome-judge is missing. Thread-safe.
 Verdict judge_in_child(const Subject& subject, const std::string& demand, const Limits& limits = {});
 
+/// Verdicts as a JSON object: the plugin (as `geodrome::json_text`), its options, how many demands held, failed and did
+/// not apply, and each verdict: of one that failed also where, expected, found, checks and failures.
+std::string json_text(const Subject& subject, const std::vector<Verdict>& verdicts);
+
 }  // namespace geodrome::conformance
