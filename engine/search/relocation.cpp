@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_fresh = 1000;
 
 /// The distances to a box and to a triangle in it are rounded differently, by a few units in the last place.
-constexpr double rounding_slack = 1e-12;
+constexpr double box_slack = 1e-12;
 
 /// Where two surfaces differ: faces of the old one that are no more, and of the new one that were not; ascending.
 struct Difference {
@@ -75,7 +75,7 @@ void relocate(std::span<NamedPoint> places, const SurfaceMesh& from, const Surfa
     if (std::ranges::binary_search(gone, face)) face = locator.closest(place.position, gone).at.face;
     detail::FacePoint best;
     if (face != no_index) best = detail::closest_on_face(*to, face, place.position);
-    if (box.squared_distance(place.position) <= best.point.squared_distance * (1 + rounding_slack))
+    if (box.squared_distance(place.position) <= best.point.squared_distance * (1 + box_slack))
       for (const Index other : fresh) {
         const detail::FacePoint candidate = detail::closest_on_face(*to, other, place.position);
         if (best.face == no_index || precedes(candidate, best)) best = candidate;

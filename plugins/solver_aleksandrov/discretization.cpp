@@ -16,7 +16,7 @@ namespace {
 /// The length of edges that have none; about 1 is the mean edge. Distances grow by as much, which is rounding.
 constexpr double tiny = 1e-14;
 /// Nearer to an edge than this share of the face's size, a place is on it.
-constexpr double on_edge = 4e-15;
+constexpr double edge_tolerance = 4e-15;
 
 /// A graph of so many nodes takes about 2 GB, and every search over it 4 GB more.
 constexpr double most_nodes = 1e8;
@@ -86,7 +86,7 @@ Discretization::Discretization(const PackedMesh& surface, const Settings& settin
 SurfacePoint Discretization::located(const SurfacePoint& flat) const {
   SurfacePoint at = triangulation_.located(flat);
   const auto& face = triangulation_.face(at.face);
-  const double close = on_edge * *std::max_element(face.length, face.length + 3);
+  const double close = edge_tolerance * *std::max_element(face.length, face.length + 3);
   int side = static_cast<int>(std::find(at.b.begin(), at.b.end(), 0.0) - at.b.begin());
   for (int i = 0; i < 3 && side == 3; ++i)
     if (move_to_side(face, i, close, at.b)) side = i;

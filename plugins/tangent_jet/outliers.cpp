@@ -9,7 +9,7 @@ namespace geodrome {
 namespace {
 
 /// Below this an outlier can hardly be told from a corner.
-constexpr std::size_t enough_points = 21;
+constexpr std::size_t enough_to_judge = 21;
 constexpr double far_factor = 3;  ///< times the median distance of the 8th neighbour
 
 // Measured with 1 and 5 % outliers on four shapes, and on 15 files of mesh vertices and scans without any.
@@ -73,7 +73,7 @@ double far_limit(const std::vector<LocalJet>& jets) {
 std::vector<bool> find_outliers(const std::vector<Vec3>& points, const std::vector<LocalJet>& jets, double sigma,
                                 OutlierRule rule) {
   std::vector<bool> outlier(points.size(), false);
-  if (points.size() < enough_points || rule == OutlierRule::off) return outlier;
+  if (points.size() < enough_to_judge || rule == OutlierRule::off) return outlier;
   const double limit = far_limit(jets);
   if (rule == OutlierRule::distance) {
     for (std::size_t i = 0; i < points.size(); ++i) outlier[i] = jets[i].d8 > limit;

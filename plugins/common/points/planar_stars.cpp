@@ -13,7 +13,7 @@ namespace {
 /// Four points count as cocircular if their distances from the centre differ by less than this share: either way to
 /// split them serves as well. Far above the jitter of a stored lattice; a few percent of the triangles of a random
 /// sample.
-constexpr double tie_tolerance = 0.03;
+constexpr double cocircular_tolerance = 0.03;
 
 /// More points than this on one circle are no lattice that the tangent plane shows.
 constexpr std::size_t most_tied = 12;
@@ -37,7 +37,7 @@ Star star_of(CellRadiusFinder& finder, Index site, const Vec3& normal) {
 std::vector<Index> tied_points(const StarCorner& corner, const Vec3& site, const Neighbours& neighbours,
                                std::vector<Neighbour>& found) {
   neighbours.nearest(corner.centre, most_tied, found);
-  const double limit = (1 + tie_tolerance) * distance(corner.centre, site);
+  const double limit = (1 + cocircular_tolerance) * distance(corner.centre, site);
   std::vector<Index> tied;
   for (const Neighbour& n : found)
     if (std::sqrt(n.squared_distance) <= limit) tied.push_back(n.index);

@@ -24,7 +24,7 @@ constexpr const char* meaning =
     "long, too\n"
     "short. Exponents: least squares in log-log over all runs of a variant.";
 
-struct Arguments {
+struct AccuracyArguments {
   std::vector<std::size_t> points{2000, 4000, 8000, 16000, 32000};
   std::vector<std::uint64_t> seeds{1};
   std::vector<std::string> variants;
@@ -70,7 +70,7 @@ void run_variant(const TorusTask& task, std::uint64_t seed, const Variant& varia
 }
 
 /// Those of the known variants that are asked for; all if none is.
-std::vector<Variant> chosen_variants(const Arguments& arguments) {
+std::vector<Variant> chosen_variants(const AccuracyArguments& arguments) {
   const std::vector<Variant> known = variants_of(arguments.settings.stages);
   if (arguments.variants.empty()) return known;
   std::vector<Variant> chosen;
@@ -82,7 +82,7 @@ std::vector<Variant> chosen_variants(const Arguments& arguments) {
   return chosen;
 }
 
-void run(const Arguments& arguments) {
+void run(const AccuracyArguments& arguments) {
   const std::vector<Variant> variants = chosen_variants(arguments);
   std::vector<Series> series(variants.size());
   double asymmetry = 0;
@@ -104,7 +104,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_accuracy(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<AccuracyArguments>();
   CLI::App& command = *app.add_subcommand("accuracy", "Distances on a sampled torus against the true ones.");
   command.footer(meaning);
   const auto list = [&](const char* flag, auto& values, const char* help) {

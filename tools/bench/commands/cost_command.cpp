@@ -19,7 +19,7 @@ constexpr const char* meaning =
     "time: let\n"
     "nothing else run. Build with the release preset.";
 
-struct Arguments {
+struct CostArguments {
   std::vector<std::size_t> points{10'000, 100'000, 1'000'000};
   std::uint64_t seed = 1;
   RunSettings settings;
@@ -30,7 +30,7 @@ void print_line(std::size_t points, const std::string& name, double seconds, std
               1e6 * seconds / static_cast<double>(points), 1e-6 * static_cast<double>(peak));
 }
 
-void print_costs(std::size_t points, const Arguments& arguments) {
+void print_costs(std::size_t points, const CostArguments& arguments) {
   const PluginHost host(arguments.settings.plugin_path);
   const PointSample sample = shapes::sample("torus", {.points = points, .seed = arguments.seed});
   double seconds = 0;
@@ -42,7 +42,7 @@ void print_costs(std::size_t points, const Arguments& arguments) {
   print_line(points, "all", seconds, peak);
 }
 
-void run(const Arguments& arguments) {
+void run(const CostArguments& arguments) {
   if (!reset_memory_peak()) std::printf("peaks cannot be reset here: each is the largest since the process began\n");
   std::printf("%9s  %-32s %10s %12s %10s\n", "points", "stage", "seconds", "us a point", "peak MB");
   for (const std::size_t points : arguments.points) in_a_process_of_its_own([&] { print_costs(points, arguments); });
@@ -51,7 +51,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_cost(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<CostArguments>();
   CLI::App& command = *app.add_subcommand("cost", "Time and memory of stages 1 to 4.");
   command.footer(meaning);
   command.add_option("--points", arguments->points, "numbers of points")

@@ -23,7 +23,7 @@ constexpr const char* meaning =
     "if a\n"
     "difference is above 1e-12, one of the audit above 1e-11, or the solver failed.";
 
-struct Arguments {
+struct ExactnessArguments {
   std::vector<std::string> meshes;
   std::string solver = "chen_han", peer = "cgal", refine;
   std::vector<std::filesystem::path> plugin_path;
@@ -31,14 +31,14 @@ struct Arguments {
   ExactnessOptions options;
 };
 
-MeshPtr refined(const MeshPtr& mesh, const Arguments& arguments) {
+MeshPtr refined(const MeshPtr& mesh, const ExactnessArguments& arguments) {
   const std::size_t faces = arguments.faces ? arguments.faces : 4 * mesh->face_count();
   return std::make_shared<const SurfaceMesh>(arguments.refine == "midpoint"
                                                  ? shapes::refine_by_midpoints(*mesh, faces)
                                                  : shapes::refine_by_points(*mesh, faces, arguments.options.seed));
 }
 
-void run(const Arguments& arguments) {
+void run(const ExactnessArguments& arguments) {
   const PluginHost host(arguments.plugin_path);
   const auto solver = host.load<ShortestPathSolver>(arguments.solver);
   const auto peer = load_peer(host, arguments.peer);
@@ -60,7 +60,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_exactness(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExactnessArguments>();
   CLI::App& command = *app.add_subcommand("exactness", "Whether a solver is exact on meshes: one row each.");
   command.footer(meaning);
   ExactnessOptions& options = arguments->options;

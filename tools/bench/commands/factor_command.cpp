@@ -21,7 +21,7 @@ constexpr const char* meaning =
     "log^2(1/delta), so that the logarithms add to the fitted 0.5 and 1. Status 1 if a solver that states a factor\n"
     "breaks it, or is below d by more than 1e-12.";
 
-struct Arguments {
+struct FactorArguments {
   std::vector<std::string> meshes;
   std::string solvers = "aleksandrov", peer = "chen_han";
   std::vector<std::filesystem::path> plugin_path;
@@ -51,7 +51,7 @@ void print_exponents(const std::string& mesh, const std::string& solver, std::sp
 }
 
 /// Returns how many solvers broke their factor on one mesh.
-std::size_t run_mesh(const std::string& name, const PluginHost& host, const Arguments& arguments) {
+std::size_t run_mesh(const std::string& name, const PluginHost& host, const FactorArguments& arguments) {
   const MeshPtr mesh = load_mesh(name);
   if (mesh->face_count() == 0) throw InputError(InputFault::empty, name + " has no face");
   const auto peer = host.load<ShortestPathSolver>(arguments.peer);
@@ -69,7 +69,7 @@ std::size_t run_mesh(const std::string& name, const PluginHost& host, const Argu
   return broken;
 }
 
-void run(const Arguments& arguments) {
+void run(const FactorArguments& arguments) {
   const PluginHost host(arguments.plugin_path);
   std::printf("peer %s, %zu sources\n", arguments.peer.c_str(), arguments.options.sources);
   std::printf("%-28s %8s %-30s %7s %9s %9s %9s %9s %9s %9s %9s\n", "mesh", "faces", "solver", "factor", "max", "mean",
@@ -82,7 +82,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_factor(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FactorArguments>();
   CLI::App& command = *app.add_subcommand("factor", "Whether solvers keep the factors they state, at what cost.");
   command.footer(meaning);
   FactorOptions& options = arguments->options;

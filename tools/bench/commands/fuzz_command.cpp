@@ -17,7 +17,7 @@ constexpr const char* meaning =
     "To\n"
     "look at one: geodrome-bench exactness fuzz:SEED. Status 1 if there was a failure.";
 
-struct Arguments {
+struct FuzzArguments {
   std::string solver = "chen_han", peer = "cgal";
   std::vector<std::filesystem::path> plugin_path;
   std::size_t count = 1000;
@@ -55,7 +55,7 @@ void print_summary(std::uint64_t last, const Summary& summary) {
   std::fflush(stdout);
 }
 
-void run(const Arguments& arguments) {
+void run(const FuzzArguments& arguments) {
   constexpr std::size_t meshes_a_line = 100;
   const PluginHost host(arguments.plugin_path);
   const auto solver = host.load<ShortestPathSolver>(arguments.solver);
@@ -84,7 +84,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_fuzz(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<FuzzArguments>();
   CLI::App& command = *app.add_subcommand("fuzz", "Whether a solver is exact on random broken meshes.");
   command.footer(meaning);
   command.add_option("--count", arguments->count, "of meshes")->capture_default_str();

@@ -19,7 +19,7 @@ constexpr const char* meaning =
     "own: sizes that give the same mesh come once. Wall-clock time: let nothing else run. Build with the release\n"
     "preset.";
 
-struct Arguments {
+struct GrowthArguments {
   std::string solver = "chen_han";
   std::vector<std::string> shapes{"icosphere", "jittered-torus", "bumpy", "noisy-sphere"};
   std::vector<std::size_t> faces{10'000, 50'000, 200'000, 800'000};
@@ -27,7 +27,7 @@ struct Arguments {
   GrowthOptions options;
 };
 
-void run_shape(const std::string& shape, const Plugin<ShortestPathSolver>& solver, const Arguments& arguments) {
+void run_shape(const std::string& shape, const Plugin<ShortestPathSolver>& solver, const GrowthArguments& arguments) {
   std::vector<GrowthPoint> points;
   for (const std::size_t faces : arguments.faces) {
     const auto mesh = std::make_shared<const SurfaceMesh>(shapes::mesh(shape, faces, arguments.options.seed));
@@ -39,7 +39,7 @@ void run_shape(const std::string& shape, const Plugin<ShortestPathSolver>& solve
   print(std::cout, shape, exponents_of(points));
 }
 
-void run(const Arguments& arguments) {
+void run(const GrowthArguments& arguments) {
   const auto solver = PluginHost(arguments.plugin_path).load<ShortestPathSolver>(arguments.solver);
   std::cout << solver.info.full_name() << "; " << arguments.options.sources << " sources, " << arguments.options.runs
             << " runs\n";
@@ -50,7 +50,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_growth(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<GrowthArguments>();
   CLI::App& command = *app.add_subcommand("growth", "How a solver's windows and time grow with the mesh.");
   command.footer(meaning);
   const auto list = [&](const char* flag, auto& values, const char* help) {

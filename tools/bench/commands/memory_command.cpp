@@ -22,7 +22,7 @@ constexpr const char* meaning =
     "rounding are most of it. prepared: PreparedSurface::bytes(). search: the solver's counter largest_search_bytes;\n"
     "-: not counted. keep: targets, distances of vertices only; map, any point and paths.";
 
-struct Arguments {
+struct MemoryArguments {
   std::string mesh, solver = "chen_han", peer = "none";
   std::vector<std::string> keep{"targets"};
   std::uint64_t seed = 1;
@@ -31,7 +31,7 @@ struct Arguments {
 
 double megabytes(std::size_t bytes) { return 1e-6 * static_cast<double>(bytes); }
 
-void print_memory(const std::string& name, const std::string& keep, const Arguments& arguments) {
+void print_memory(const std::string& name, const std::string& keep, const MemoryArguments& arguments) {
   const auto solver = PluginHost(arguments.plugin_path).load<ShortestPathSolver>(name);
   const MeshPtr mesh = load_mesh(arguments.mesh);
   const Index source = choose_sources(*mesh, 1, arguments.seed).front();
@@ -41,7 +41,7 @@ void print_memory(const std::string& name, const std::string& keep, const Argume
               megabytes(memory.prepared), figure_text(quotient(memory.search, 1e6), 2).c_str());
 }
 
-void run(const Arguments& arguments) {
+void run(const MemoryArguments& arguments) {
   if (!reset_memory_peak()) std::printf("peaks cannot be reset here: they include the loading of the mesh\n");
   std::printf("%-24s %-8s %9s %10s %10s %10s %12s %10s\n", "solver", "keep", "faces", "before MB", "peak MB",
               "added MB", "prepared MB", "search MB");
@@ -53,7 +53,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_memory(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MemoryArguments>();
   CLI::App& command = *app.add_subcommand("memory", "Memory of one search on one mesh.");
   command.footer(meaning);
   command.add_option("mesh", arguments->mesh, "a file, or shape:KIND:FACES[:SEED]")->required();

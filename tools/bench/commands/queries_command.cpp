@@ -26,7 +26,7 @@ constexpr const char* meaning =
     "paid against the searches before it; -: never. Wall-clock time: let nothing else run. Build with the release\n"
     "preset.";
 
-struct Arguments {
+struct QueriesArguments {
   std::vector<std::string> meshes;
   std::string solvers = "aleksandrov", peer = "chen_han";
   std::vector<std::filesystem::path> plugin_path;
@@ -48,7 +48,7 @@ std::vector<std::string> split(const std::string& list) {
 }
 
 /// Rows of one mesh; the number of unsound ones.
-std::size_t run_mesh(const std::string& name, const PluginHost& host, const Arguments& arguments) {
+std::size_t run_mesh(const std::string& name, const PluginHost& host, const QueriesArguments& arguments) {
   const PairOptions& options = arguments.options;
   const MeshPtr mesh = load_mesh(name);
   const PairSet pairs = choose_pairs(*mesh, options);
@@ -65,7 +65,7 @@ std::size_t run_mesh(const std::string& name, const PluginHost& host, const Argu
   return failures;
 }
 
-void run(const Arguments& arguments) {
+void run(const QueriesArguments& arguments) {
   const PluginHost host(arguments.plugin_path);
   std::printf("peer %s; %zu pairs, %zu sources\n%-28s %8s %-28s %s\n", arguments.peer.c_str(), arguments.options.pairs,
               arguments.options.sources, "mesh", "faces", "solver", pair_names().c_str());
@@ -77,7 +77,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_queries(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<QueriesArguments>();
   CLI::App& command = *app.add_subcommand("queries", "What a pair oracle costs, how accurate it is, when it pays.");
   command.footer(meaning);
   PairOptions& options = arguments->options;

@@ -17,13 +17,13 @@ constexpr const char* meaning =
     "saves is what a search used again saves. Figures that every thread has are medians. Wall-clock time: let\n"
     "nothing else run. Build with the release preset.";
 
-struct Arguments {
+struct RepeatArguments {
   std::string mesh, solver = "chen_han";
   std::vector<std::filesystem::path> plugin_path;
   RepeatOptions options;
 };
 
-void run(const Arguments& arguments) {
+void run(const RepeatArguments& arguments) {
   const auto solver = PluginHost(arguments.plugin_path).load<ShortestPathSolver>(arguments.solver);
   const MeshPtr mesh = load_mesh(arguments.mesh);
   std::cout << arguments.mesh << ": " << mesh->face_count() << " faces, " << mesh->vertex_count() << " vertices\n";
@@ -33,7 +33,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_repeat(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RepeatArguments>();
   CLI::App& command = *app.add_subcommand("repeat", "Sources a second when one search is used again and again.");
   command.footer(meaning);
   command.add_option("mesh", arguments->mesh, "a file, or shape:KIND:FACES[:SEED]")->required();

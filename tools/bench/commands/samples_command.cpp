@@ -16,13 +16,13 @@ constexpr const char* meaning =
     "outliers\n"
     "are uniform in the bounding box enlarged by 10 %. With FILEs: their vertices as points, nothing else is run.";
 
-struct Arguments {
+struct SamplesArguments {
   std::vector<std::filesystem::path> files;
   TableChoice choice;
   RunSettings settings;
 };
 
-void run(const Arguments& arguments) {
+void run(const SamplesArguments& arguments) {
   const PluginHost host(arguments.settings.plugin_path);
   const StageChoice& stages = arguments.settings.stages;
   std::cout << "stages: tangent " << stages.tangent << ", control " << stages.control << ", decimator "
@@ -34,7 +34,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_samples(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SamplesArguments>();
   CLI::App& command = *app.add_subcommand("samples", "Surfaces from samples: how many come out right.");
   command.footer(meaning);
   command.add_option("FILE", arguments->files, "meshes or clouds whose vertices are taken as points");

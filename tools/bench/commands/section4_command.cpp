@@ -30,7 +30,7 @@ constexpr const char* meaning =
     "trefoil exact distances on three meshes of the true surface, extrapolated; its own error is printed, and rows\n"
     "whose far mean is less than ten times that are marked. Let nothing else run.";
 
-struct Arguments {
+struct Section4Arguments {
   std::vector<std::string> shapes{"torus", "trefoil"};
   std::vector<std::size_t> points{2000, 4000, 8000, 16000, 32000};
   std::string exact = "schreiber,chen_han", approximate = "aleksandrov:delta=", truth = "chen_han";
@@ -60,7 +60,7 @@ std::string with_delta(const std::string& solver, double delta) {
 
 class Section4 {
  public:
-  explicit Section4(const Arguments& arguments) : arguments_(arguments), host_(arguments.settings.plugin_path) {}
+  explicit Section4(const Section4Arguments& arguments) : arguments_(arguments), host_(arguments.settings.plugin_path) {}
 
   void run() {
     for (const std::string& shape : arguments_.shapes) run_shape(shape);
@@ -153,7 +153,7 @@ class Section4 {
         exponent(s.points, s.seconds).c_str(), s.points.size());
   }
 
-  const Arguments& arguments_;
+  const Section4Arguments& arguments_;
   PluginHost host_;
   std::string shape_;
   std::unique_ptr<TaskMaker> maker_;
@@ -164,7 +164,7 @@ class Section4 {
 }  // namespace
 
 void add_section4(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<Section4Arguments>();
   CLI::App& command =
       *app.add_subcommand("section4", "Approximate solvers in the whole computation (Lemma 22): errors and costs.");
   command.footer(meaning);

@@ -22,13 +22,13 @@ constexpr const char* conditions =
     "counted.\n"
     "Wall-clock time: let nothing else run. Build with the release preset.";
 
-struct Arguments {
+struct SolversArguments {
   std::string mesh, solver = "chen_han", peer = "cgal";
   std::vector<std::filesystem::path> plugin_path;
   RaceOptions options;
 };
 
-void run(const Arguments& arguments) {
+void run(const SolversArguments& arguments) {
   const PluginHost host(arguments.plugin_path);
   const auto solver = host.load<ShortestPathSolver>(arguments.solver);
   const auto peer = host.load<ShortestPathSolver>(arguments.peer);
@@ -41,7 +41,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_solvers(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SolversArguments>();
   CLI::App& command = *app.add_subcommand("solvers", "A solver against a peer on one mesh: ratios of medians.");
   command.footer(conditions);
   command.add_option("mesh", arguments->mesh, "a file, or shape:KIND:FACES[:SEED]")->required();
