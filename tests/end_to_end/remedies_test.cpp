@@ -63,6 +63,12 @@ TEST_F(Remedies, StandInTheAnswerForPrograms) {
   EXPECT_NE(outcome.out.find("\"remedy\": \"use --drop-nonfinite"), std::string::npos) << outcome.out;
 }
 
+TEST_F(Remedies, StandInReportsAsTheLibrarySaysThemWithTheirCode) {
+  const std::string json = run("check", "twins.off", {"--json"}).out;
+  EXPECT_NE(json.find("\"remedy\": \"set `read.weld` to merge them\""), std::string::npos) << json;
+  EXPECT_NE(json.find("\"remedy_code\": \"read.weld\""), std::string::npos) << json;
+}
+
 TEST_F(Remedies, OfWarningsNameTheOptionsOfReading) {
   expect("use --weld to merge them\n", "path", "twins.off", {"--from", "0", "--to", "1", "-o", file("p.csv")});
   EXPECT_NE(run("check", "twins.off", {}).out.find("; use --weld to merge them\n"), std::string::npos);

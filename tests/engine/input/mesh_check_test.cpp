@@ -129,6 +129,9 @@ TEST(InputMeshCheck, WithoutWeldingEqualPlacesAreToldAndStay) {
   EXPECT_EQ(input.positions.size(), 4u);
   EXPECT_EQ(input.facts.duplicate_positions, 1u);
   EXPECT_EQ(input.facts.isolated_vertices, 1u);
+  const auto told = std::ranges::find(input.findings, "duplicate_positions", &Finding::code);
+  ASSERT_NE(told, input.findings.end());
+  EXPECT_EQ(told->remedy.code, "read.weld");
 }
 
 TEST(InputMeshCheck, ZeroAreaIsJudgedAtEveryScale) {
