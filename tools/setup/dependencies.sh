@@ -1,15 +1,28 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Installs what Geodrome is built from, on Debian 12. Packages that are there already cost nothing.
+# dependencies.sh main | everything
+#
+# Installs, on Debian 12, what Geodrome is built from: for the program with the standard plugins, or for everything with
+# all tests. Packages that are there already cost nothing.
 set -euo pipefail
 
 packages=(
   build-essential cmake ninja-build pkg-config ccache
-  libboost-dev libcgal-dev libeigen3-dev libflann-dev liblz4-dev libmetis-dev libopenmesh-dev libxxhash-dev
-  libcli11-dev nlohmann-json3-dev libgtest-dev librapidcheck-dev chromium
+  libboost-dev libcli11-dev libxxhash-dev nlohmann-json3-dev                 # engine, program
+  libcgal-dev libeigen3-dev libflann-dev liblz4-dev libopenmesh-dev          # standard plugins
 )
-# Node may be here from elsewhere; Debian's packages would then conflict with it.
-command -v npm >/dev/null || packages+=(nodejs npm)
+case "${1-}" in
+  main) ;;
+  everything)
+    packages+=(libmetis-dev libgtest-dev librapidcheck-dev chromium)
+    # Node may be here from elsewhere; Debian's packages would then conflict with it.
+    command -v npm >/dev/null || packages+=(nodejs npm)
+    ;;
+  *)
+    echo "usage: dependencies.sh main | everything" >&2
+    exit 2
+    ;;
+esac
 
 missing=()
 for package in "${packages[@]}"; do
