@@ -7,13 +7,13 @@
 
 #include "tools/bench/commands/commands.hpp"
 #include "tools/bench/samples/distance_errors.hpp"
-#include "tools/bench/solvers/fit.hpp"
 #include "tools/bench/shapes/torus_runs.hpp"
+#include "tools/bench/solvers/fit.hpp"
 
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* accuracy_meaning =
     "Torus R = 1, r = 0.4, uniform samples. epsilon: the largest distance of 100,000 random surface points from the "
     "sample,\n"
     "over the local feature size, 0.4 everywhere: the core circle is that far from every point, the axis at least "
@@ -104,23 +104,16 @@ void run(const AccuracyArguments& arguments) {
 }  // namespace
 
 void add_accuracy(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<AccuracyArguments>();
-  CLI::App& command = *app.add_subcommand("accuracy", "Distances on a sampled torus against the true ones.");
-  command.footer(meaning);
-  const auto list = [&](const char* flag, auto& values, const char* help) {
-    return command.add_option(flag, values, help)->delimiter(',')->allow_extra_args(false)->capture_default_str();
-  };
-  list("--points", arguments->points, "numbers of points");
-  list("--seeds", arguments->seeds, "of samples, sources and stages");
-  list("--variants", arguments->variants,
-       "of default, none (decimator_none), insert, printed (query rules); all if not given");
-  command.add_option("--sources", arguments->sources, "random points of each sample")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--solver", arguments->settings.stages.solver, "an exact solver")->capture_default_str();
-  add_stages(command, arguments->settings);
-  add_threads(command, arguments->settings);
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  const auto [command, arguments] = add_command<AccuracyArguments>(
+      app, action, "accuracy", "Distances on a sampled torus against the true ones.", accuracy_meaning, run);
+  add_list(command, "--points", arguments.points, "numbers of points");
+  add_list(command, "--seeds", arguments.seeds, "of samples, sources and stages");
+  add_list(command, "--variants", arguments.variants,
+           "of default, none (decimator_none), insert, printed (query rules); all if not given");
+  add_count(command, "--sources", arguments.sources, "random points of each sample");
+  command.add_option("--solver", arguments.settings.stages.solver, "an exact solver")->capture_default_str();
+  add_stages(command, arguments.settings);
+  add_threads(command, arguments.settings);
 }
 
 }  // namespace geodrome::bench

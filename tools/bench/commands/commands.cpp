@@ -3,6 +3,36 @@
 
 namespace geodrome::bench {
 
+namespace {
+
+void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders) {
+  command.add_option("--plugin-path", folders, "folder searched first (may be repeated)")->allow_extra_args(false);
+}
+
+constexpr const char* kinds_of_mesh =
+    "a file, shape:KIND:FACES[:SEED], hostile:NAME:SIZE[:SEED] (SIZE 0 to 2) or fuzz:SEED";
+
+}  // namespace
+
+void add_mesh(CLI::App& command, std::string& mesh) { command.add_option("mesh", mesh, kinds_of_mesh)->required(); }
+
+void add_meshes(CLI::App& command, std::vector<std::string>& meshes) {
+  command.add_option("meshes", meshes, std::string("each ") + kinds_of_mesh)->required();
+}
+
+void add_solver(CLI::App& command, Rivals& rivals, const char* help) {
+  command.add_option("--solver", rivals.solver, help)->capture_default_str();
+  add_plugin_path(command, rivals.plugin_path);
+}
+
+void add_peer(CLI::App& command, Rivals& rivals, const char* help) {
+  command.add_option("--peer", rivals.peer, help)->capture_default_str();
+}
+
+CLI::Option* add_count(CLI::App& command, const char* flag, std::size_t& count, const char* help) {
+  return command.add_option(flag, count, help)->capture_default_str()->check(CLI::PositiveNumber);
+}
+
 void add_stages(CLI::App& command, RunSettings& settings) {
   const auto add = [&](const char* flag, std::string& choice, const char* help) {
     command.add_option(flag, choice, help)->type_name("NAME[:k=v,...]")->capture_default_str();
@@ -11,8 +41,7 @@ void add_stages(CLI::App& command, RunSettings& settings) {
   add("--control", settings.stages.control, "control function psi");
   add("--decimator", settings.stages.decimator, "decimation of the sample");
   add("--reconstructor", settings.stages.reconstructor, "surface through the kept points");
-  command.add_option("--plugin-path", settings.plugin_path, "folder searched first (may be repeated)")
-      ->allow_extra_args(false);
+  add_plugin_path(command, settings.plugin_path);
 }
 
 void add_threads(CLI::App& command, RunSettings& settings) {

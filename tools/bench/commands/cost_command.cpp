@@ -3,16 +3,16 @@
 #include <cstdio>
 #include <memory>
 
-#include "tools/bench/commands/commands.hpp"
 #include "engine/report/memory.hpp"
-#include "tools/bench/solvers/own_process.hpp"
+#include "tools/bench/commands/commands.hpp"
 #include "tools/bench/samples/stage_costs.hpp"
+#include "tools/bench/solvers/own_process.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* cost_meaning =
     "Points of the torus R = 1, r = 0.4, uniform by area. One thread; every size in a process of its own. Peak: the "
     "largest\n"
     "resident memory of that process while the stage ran, with the sample and what earlier stages left. Wall-clock "
@@ -51,16 +51,11 @@ void run(const CostArguments& arguments) {
 }  // namespace
 
 void add_cost(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<CostArguments>();
-  CLI::App& command = *app.add_subcommand("cost", "Time and memory of stages 1 to 4.");
-  command.footer(meaning);
-  command.add_option("--points", arguments->points, "numbers of points")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str();
-  command.add_option("--seed", arguments->seed, "of the sample")->capture_default_str();
-  add_stages(command, arguments->settings);
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  const auto [command, arguments] =
+      add_command<CostArguments>(app, action, "cost", "Time and memory of stages 1 to 4.", cost_meaning, run);
+  add_list(command, "--points", arguments.points, "numbers of points");
+  command.add_option("--seed", arguments.seed, "of the sample")->capture_default_str();
+  add_stages(command, arguments.settings);
 }
 
 }  // namespace geodrome::bench

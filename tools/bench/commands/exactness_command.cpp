@@ -10,7 +10,7 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* exactness_meaning =
     "Differences are relative to the largest distance from their source, but for `relative`. vertices, points: from "
     "the\n"
     "peer, where neither was proven wrong. paths: length of the path against the distance. together: all sources at "
@@ -25,8 +25,8 @@ constexpr const char* meaning =
 
 struct ExactnessArguments {
   std::vector<std::string> meshes;
-  std::string solver = "chen_han", peer = "cgal", refine;
-  std::vector<std::filesystem::path> plugin_path;
+  std::string refine;
+  Rivals rivals;
   std::size_t faces = 0;
   ExactnessOptions options;
 };
@@ -39,9 +39,9 @@ MeshPtr refined(const MeshPtr& mesh, const ExactnessArguments& arguments) {
 }
 
 void run(const ExactnessArguments& arguments) {
-  const PluginHost host(arguments.plugin_path);
-  const auto solver = host.load<ShortestPathSolver>(arguments.solver);
-  const auto peer = load_peer(host, arguments.peer);
+  const PluginHost host(arguments.rivals.plugin_path);
+  const auto solver = host.load<ShortestPathSolver>(arguments.rivals.solver);
+  const auto peer = load_peer(host, arguments.rivals.peer);
   std::printf("%-32s %8s %s\n", "mesh", "faces", exactness_names().c_str());
   std::size_t failures = 0;
   for (const std::string& name : arguments.meshes) {
@@ -60,30 +60,19 @@ void run(const ExactnessArguments& arguments) {
 }  // namespace
 
 void add_exactness(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<ExactnessArguments>();
-  CLI::App& command = *app.add_subcommand("exactness", "Whether a solver is exact on meshes: one row each.");
-  command.footer(meaning);
-  ExactnessOptions& options = arguments->options;
+  const auto [command, arguments] = add_command<ExactnessArguments>(
+      app, action, "exactness", "Whether a solver is exact on meshes: one row each.", exactness_meaning, run);
+  ExactnessOptions& options = arguments.options;
+  add_meshes(command, arguments.meshes);
+  add_solver(command, arguments.rivals);
+  add_peer(command, arguments.rivals, "NAME[:key=value,...], or none");
+  add_count(command, "--sources", options.sources, "at a vertex, inside a face, on an edge, in turn");
+  add_judging(command, options);
   command
-      .add_option("meshes", arguments->meshes,
-                  "files, shape:KIND:FACES[:SEED], hostile:NAME:SIZE[:SEED] (SIZE 0 to 2) or fuzz:SEED")
-      ->required();
-  command.add_option("--solver", arguments->solver, "NAME[:key=value,...]")->capture_default_str();
-  command.add_option("--peer", arguments->peer, "NAME[:key=value,...], or none")->capture_default_str();
-  command.add_option("--sources", options.sources, "at a vertex, inside a face, on an edge, in turn")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--points", options.points, "inside faces, compared beside the vertices")->capture_default_str();
-  command.add_option("--seed", options.seed, "chooses sources and points")->capture_default_str();
-  command.add_option("--seconds", options.seconds, "a search that takes longer is given up")->capture_default_str();
-  command
-      .add_option("--refine", arguments->refine,
+      .add_option("--refine", arguments.refine,
                   "judge on a finer mesh of the same surface, by the peer on the coarse one")
       ->check(CLI::IsMember({"midpoint", "points"}));
-  command.add_option("--faces", arguments->faces, "of the finer mesh, at least; four times as many by default");
-  command.add_option("--plugin-path", arguments->plugin_path, "folder searched first (may be repeated)")
-      ->allow_extra_args(false);
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  command.add_option("--faces", arguments.faces, "of the finer mesh, at least; four times as many by default");
 }
 
 }  // namespace geodrome::bench

@@ -12,7 +12,7 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* factor_meaning =
     "D: the solver's distances, d: those of the exact peer, at all vertices and at points in faces. max, mean: of\n"
     "D/d - 1. above: share of the places with D > factor d + 1e-12 of the largest distance; must be 0. below: largest\n"
     "d - D over the largest distance. Seconds: one thread; median of the sources, one search each; prepare: with the\n"
@@ -23,8 +23,7 @@ constexpr const char* meaning =
 
 struct FactorArguments {
   std::vector<std::string> meshes;
-  std::string solvers = "aleksandrov", peer = "chen_han";
-  std::vector<std::filesystem::path> plugin_path;
+  Rivals rivals{.solver = "aleksandrov", .peer = "chen_han", .plugin_path = {}};  ///< of several solvers
   FactorOptions options;
 };
 
@@ -54,12 +53,12 @@ void print_exponents(const std::string& mesh, const std::string& solver, std::sp
 std::size_t run_mesh(const std::string& name, const PluginHost& host, const FactorArguments& arguments) {
   const MeshPtr mesh = load_mesh(name);
   if (mesh->face_count() == 0) throw InputError(InputFault::empty, name + " has no face");
-  const auto peer = host.load<ShortestPathSolver>(arguments.peer);
-  if (peer.factor != 1) throw OptionError("the peer " + arguments.peer + " is not exact");
+  const auto peer = host.load<ShortestPathSolver>(arguments.rivals.peer);
+  if (peer.factor != 1) throw OptionError("the peer " + arguments.rivals.peer + " is not exact");
   const ExactDistances exact = exact_distances(peer, mesh, arguments.options);
   std::map<std::string, std::vector<FactorResult>> families;  // solvers that differ by delta only
   std::size_t broken = 0;
-  for (const std::string& solver : split_solvers(arguments.solvers)) {
+  for (const std::string& solver : split_solvers(arguments.rivals.solver)) {
     const FactorResult result = judge_factor(host.load<ShortestPathSolver>(solver), exact, arguments.options);
     print_result(name, mesh->face_count(), solver, result);
     families[without_option(solver, "delta")].push_back(result);
@@ -70,8 +69,8 @@ std::size_t run_mesh(const std::string& name, const PluginHost& host, const Fact
 }
 
 void run(const FactorArguments& arguments) {
-  const PluginHost host(arguments.plugin_path);
-  std::printf("peer %s, %zu sources\n", arguments.peer.c_str(), arguments.options.sources);
+  const PluginHost host(arguments.rivals.plugin_path);
+  std::printf("peer %s, %zu sources\n", arguments.rivals.peer.c_str(), arguments.options.sources);
   std::printf("%-28s %8s %-30s %7s %9s %9s %9s %9s %9s %9s %9s\n", "mesh", "faces", "solver", "factor", "max", "mean",
               "above", "below", "prepare s", "seconds", "peer s");
   std::size_t broken = 0;
@@ -82,27 +81,15 @@ void run(const FactorArguments& arguments) {
 }  // namespace
 
 void add_factor(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<FactorArguments>();
-  CLI::App& command = *app.add_subcommand("factor", "Whether solvers keep the factors they state, at what cost.");
-  command.footer(meaning);
-  FactorOptions& options = arguments->options;
-  command
-      .add_option("meshes", arguments->meshes,
-                  "files, shape:KIND:FACES[:SEED], hostile:NAME:SIZE[:SEED] (SIZE 0 to 2) or fuzz:SEED")
-      ->required();
-  command.add_option("--solver", arguments->solvers, "NAME[:key=value,...], several separated by commas")
-      ->capture_default_str();
-  command.add_option("--peer", arguments->peer, "an exact solver")->capture_default_str();
-  command
-      .add_option("--sources", options.sources, "in turn at a vertex and inside a face, where the solver takes these")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--points", options.points, "inside faces, compared beside the vertices")->capture_default_str();
-  command.add_option("--seed", options.seed, "chooses sources and points")->capture_default_str();
-  command.add_option("--seconds", options.seconds, "a search that takes longer is given up")->capture_default_str();
-  command.add_option("--plugin-path", arguments->plugin_path, "folder searched first (may be repeated)")
-      ->allow_extra_args(false);
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  const auto [command, arguments] = add_command<FactorArguments>(
+      app, action, "factor", "Whether solvers keep the factors they state, at what cost.", factor_meaning, run);
+  FactorOptions& options = arguments.options;
+  add_meshes(command, arguments.meshes);
+  add_solver(command, arguments.rivals, "NAME[:key=value,...], several separated by commas");
+  add_peer(command, arguments.rivals, "an exact solver");
+  add_count(command, "--sources", options.sources,
+            "in turn at a vertex and inside a face, where the solver takes these");
+  add_judging(command, options);
 }
 
 }  // namespace geodrome::bench

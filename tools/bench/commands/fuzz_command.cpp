@@ -10,7 +10,7 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* fuzz_meaning =
     "The figures are those of `exactness`. A line for every 100 meshes gives the worst of them, and on how many the "
     "peer\n"
     "was silent (most have vertices with several fans) and proven wrong; these and failures have lines of their own. "
@@ -18,8 +18,7 @@ constexpr const char* meaning =
     "look at one: geodrome-bench exactness fuzz:SEED. Status 1 if there was a failure.";
 
 struct FuzzArguments {
-  std::string solver = "chen_han", peer = "cgal";
-  std::vector<std::filesystem::path> plugin_path;
+  Rivals rivals;
   std::size_t count = 1000;
   std::uint64_t first_seed = 1;
   bool verbose = false;
@@ -57,9 +56,9 @@ void print_summary(std::uint64_t last, const Summary& summary) {
 
 void run(const FuzzArguments& arguments) {
   constexpr std::size_t meshes_a_line = 100;
-  const PluginHost host(arguments.plugin_path);
-  const auto solver = host.load<ShortestPathSolver>(arguments.solver);
-  const auto peer = load_peer(host, arguments.peer);
+  const PluginHost host(arguments.rivals.plugin_path);
+  const auto solver = host.load<ShortestPathSolver>(arguments.rivals.solver);
+  const auto peer = load_peer(host, arguments.rivals.peer);
   std::printf("%-15s %s\n", "seed", exactness_names().c_str());
   std::size_t failures = 0;
   Summary summary;
@@ -84,20 +83,16 @@ void run(const FuzzArguments& arguments) {
 }  // namespace
 
 void add_fuzz(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<FuzzArguments>();
-  CLI::App& command = *app.add_subcommand("fuzz", "Whether a solver is exact on random broken meshes.");
-  command.footer(meaning);
-  command.add_option("--count", arguments->count, "of meshes")->capture_default_str();
-  command.add_option("--first-seed", arguments->first_seed, "of the first mesh; the next ones follow")
+  const auto [command, arguments] = add_command<FuzzArguments>(
+      app, action, "fuzz", "Whether a solver is exact on random broken meshes.", fuzz_meaning, run);
+  command.add_option("--count", arguments.count, "of meshes")->capture_default_str();
+  command.add_option("--first-seed", arguments.first_seed, "of the first mesh; the next ones follow")
       ->capture_default_str();
-  command.add_option("--solver", arguments->solver, "NAME[:key=value,...]")->capture_default_str();
-  command.add_option("--peer", arguments->peer, "NAME[:key=value,...], or none")->capture_default_str();
-  command.add_option("--seconds", arguments->options.seconds, "a search that takes longer is given up")
+  add_solver(command, arguments.rivals);
+  add_peer(command, arguments.rivals, "NAME[:key=value,...], or none");
+  command.add_option("--seconds", arguments.options.seconds, "a search that takes longer is given up")
       ->capture_default_str();
-  command.add_flag("--verbose", arguments->verbose, "tell every mesh before it is judged, to find one that crashes");
-  command.add_option("--plugin-path", arguments->plugin_path, "folder searched first (may be repeated)")
-      ->allow_extra_args(false);
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  command.add_flag("--verbose", arguments.verbose, "tell every mesh before it is judged, to find one that crashes");
 }
 
 }  // namespace geodrome::bench

@@ -10,7 +10,7 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* growth_meaning =
     "One thread. A query is one search from a vertex and the copy of all vertex distances; the search is made once a\n"
     "mesh and has had one query from that source before the clock starts. Windows: the solver's counter\n"
     "windows_propagated; search MB: its counter largest_search_bytes, without the prepared surface and the mesh; -:\n"
@@ -20,10 +20,9 @@ constexpr const char* meaning =
     "preset.";
 
 struct GrowthArguments {
-  std::string solver = "chen_han";
+  Rivals rivals;
   std::vector<std::string> shapes{"icosphere", "jittered-torus", "bumpy", "noisy-sphere"};
   std::vector<std::size_t> faces{10'000, 50'000, 200'000, 800'000};
-  std::vector<std::filesystem::path> plugin_path;
   GrowthOptions options;
 };
 
@@ -40,7 +39,7 @@ void run_shape(const std::string& shape, const Plugin<ShortestPathSolver>& solve
 }
 
 void run(const GrowthArguments& arguments) {
-  const auto solver = PluginHost(arguments.plugin_path).load<ShortestPathSolver>(arguments.solver);
+  const auto solver = PluginHost(arguments.rivals.plugin_path).load<ShortestPathSolver>(arguments.rivals.solver);
   std::cout << solver.info.full_name() << "; " << arguments.options.sources << " sources, " << arguments.options.runs
             << " runs\n";
   print_growth_head(std::cout);
@@ -50,25 +49,14 @@ void run(const GrowthArguments& arguments) {
 }  // namespace
 
 void add_growth(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<GrowthArguments>();
-  CLI::App& command = *app.add_subcommand("growth", "How a solver's windows and time grow with the mesh.");
-  command.footer(meaning);
-  const auto list = [&](const char* flag, auto& values, const char* help) {
-    return command.add_option(flag, values, help)->delimiter(',')->allow_extra_args(false)->capture_default_str();
-  };
-  command.add_option("--solver", arguments->solver, "NAME[:key=value,...]")->capture_default_str();
-  list("--shapes", arguments->shapes, "kinds of mesh")->check(CLI::IsMember(shapes::mesh_kinds()));
-  list("--faces", arguments->faces, "numbers of faces, about")->check(CLI::PositiveNumber);
-  command.add_option("--sources", arguments->options.sources, "random vertices")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--runs", arguments->options.runs, "runs per source")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--seed", arguments->options.seed, "of the meshes; chooses the sources")->capture_default_str();
-  command.add_option("--plugin-path", arguments->plugin_path, "folder searched first (may be repeated)")
-      ->allow_extra_args(false);
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  const auto [command, arguments] = add_command<GrowthArguments>(
+      app, action, "growth", "How a solver's windows and time grow with the mesh.", growth_meaning, run);
+  add_solver(command, arguments.rivals);
+  add_list(command, "--shapes", arguments.shapes, "kinds of mesh")->check(CLI::IsMember(shapes::mesh_kinds()));
+  add_list(command, "--faces", arguments.faces, "numbers of faces, about")->check(CLI::PositiveNumber);
+  add_count(command, "--sources", arguments.options.sources, "random vertices");
+  add_count(command, "--runs", arguments.options.runs, "runs per source");
+  command.add_option("--seed", arguments.options.seed, "of the meshes; chooses the sources")->capture_default_str();
 }
 
 }  // namespace geodrome::bench

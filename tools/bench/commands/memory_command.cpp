@@ -2,17 +2,17 @@
 #include <cstdio>
 #include <memory>
 
+#include "engine/report/memory.hpp"
 #include "tools/bench/commands/bench_mesh.hpp"
 #include "tools/bench/commands/commands.hpp"
-#include "engine/report/memory.hpp"
-#include "tools/bench/solvers/own_process.hpp"
 #include "tools/bench/solvers/memory.hpp"
+#include "tools/bench/solvers/own_process.hpp"
 #include "tools/bench/solvers/runner.hpp"
 
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* memory_meaning =
     "Every line is a process of its own that loads the plugin and the mesh, returns to the system what was freed on\n"
     "the way, then prepares the surface, searches once from a random vertex and copies all vertex distances. before:\n"
     "resident memory (VmRSS) ahead of that, with mesh, plugins and program. peak: the largest (VmHWM) from then on.\n"
@@ -23,16 +23,16 @@ constexpr const char* meaning =
     "-: not counted. keep: targets, distances of vertices only; map, any point and paths.";
 
 struct MemoryArguments {
-  std::string mesh, solver = "chen_han", peer = "none";
+  std::string mesh;
+  Rivals rivals{.peer = "none"};
   std::vector<std::string> keep{"targets"};
   std::uint64_t seed = 1;
-  std::vector<std::filesystem::path> plugin_path;
 };
 
 double megabytes(std::size_t bytes) { return 1e-6 * static_cast<double>(bytes); }
 
 void print_memory(const std::string& name, const std::string& keep, const MemoryArguments& arguments) {
-  const auto solver = PluginHost(arguments.plugin_path).load<ShortestPathSolver>(name);
+  const auto solver = PluginHost(arguments.rivals.plugin_path).load<ShortestPathSolver>(name);
   const MeshPtr mesh = load_mesh(arguments.mesh);
   const Index source = choose_sources(*mesh, 1, arguments.seed).front();
   const SearchMemory memory = search_memory(solver, mesh, source, keep == "map" ? Keep::map : Keep::targets);
@@ -46,27 +46,20 @@ void run(const MemoryArguments& arguments) {
   std::printf("%-24s %-8s %9s %10s %10s %10s %12s %10s\n", "solver", "keep", "faces", "before MB", "peak MB",
               "added MB", "prepared MB", "search MB");
   for (const std::string& keep : arguments.keep)
-    for (const std::string& name : {arguments.solver, arguments.peer})
+    for (const std::string& name : {arguments.rivals.solver, arguments.rivals.peer})
       if (name != "none") in_a_process_of_its_own([&] { print_memory(name, keep, arguments); });
 }
 
 }  // namespace
 
 void add_memory(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<MemoryArguments>();
-  CLI::App& command = *app.add_subcommand("memory", "Memory of one search on one mesh.");
-  command.footer(meaning);
-  command.add_option("mesh", arguments->mesh, "a file, or shape:KIND:FACES[:SEED]")->required();
-  command.add_option("--solver", arguments->solver, "NAME[:key=value,...]")->capture_default_str();
-  command.add_option("--peer", arguments->peer, "another solver, or none")->capture_default_str();
-  command.add_option("--keep", arguments->keep, "of targets, map")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->capture_default_str()
-      ->check(CLI::IsMember({"targets", "map"}));
-  command.add_option("--seed", arguments->seed, "chooses the source")->capture_default_str();
-  command.add_option("--plugin-path", arguments->plugin_path, "folders searched first");
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  const auto [command, arguments] =
+      add_command<MemoryArguments>(app, action, "memory", "Memory of one search on one mesh.", memory_meaning, run);
+  add_mesh(command, arguments.mesh);
+  add_solver(command, arguments.rivals);
+  add_peer(command, arguments.rivals, "another solver, or none");
+  add_list(command, "--keep", arguments.keep, "of targets, map")->check(CLI::IsMember({"targets", "map"}));
+  command.add_option("--seed", arguments.seed, "chooses the source")->capture_default_str();
 }
 
 }  // namespace geodrome::bench

@@ -9,7 +9,7 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* samples_meaning =
     "Right: one component, oriented, with the genus and the number of boundary loops of the shape. Refused: the "
     "sample was\n"
     "declined (SampleError). Wrong: another surface was returned. Failed: any other error. Noise is along the normal; "
@@ -34,23 +34,18 @@ void run(const SamplesArguments& arguments) {
 }  // namespace
 
 void add_samples(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<SamplesArguments>();
-  CLI::App& command = *app.add_subcommand("samples", "Surfaces from samples: how many come out right.");
-  command.footer(meaning);
-  command.add_option("FILE", arguments->files, "meshes or clouds whose vertices are taken as points");
-  const auto list = [&](const char* flag, auto& values, const char* help) {
-    command.add_option(flag, values, help)->delimiter(',')->allow_extra_args(false)->capture_default_str();
-  };
-  list("--families", arguments->choice.families, "of clean, boundary, noise, outliers");
-  list("--shapes", arguments->choice.shapes, "closed and cut shapes");
-  list("--samplings", arguments->choice.samplings, "noise and outliers come with the first");
-  list("--points", arguments->choice.points, "numbers of points");
-  list("--seeds", arguments->choice.seeds, "of the samples and of the stages");
-  list("--noise", arguments->choice.noise, "standard deviations as shares of the diagonal");
-  list("--outliers", arguments->choice.outliers, "shares of the number of points");
-  add_stages(command, arguments->settings);
-  add_threads(command, arguments->settings);
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  const auto [command, arguments] = add_command<SamplesArguments>(
+      app, action, "samples", "Surfaces from samples: how many come out right.", samples_meaning, run);
+  command.add_option("FILE", arguments.files, "meshes or clouds whose vertices are taken as points");
+  add_list(command, "--families", arguments.choice.families, "of clean, boundary, noise, outliers");
+  add_list(command, "--shapes", arguments.choice.shapes, "closed and cut shapes");
+  add_list(command, "--samplings", arguments.choice.samplings, "noise and outliers come with the first");
+  add_list(command, "--points", arguments.choice.points, "numbers of points");
+  add_list(command, "--seeds", arguments.choice.seeds, "of the samples and of the stages");
+  add_list(command, "--noise", arguments.choice.noise, "standard deviations as shares of the diagonal");
+  add_list(command, "--outliers", arguments.choice.outliers, "shares of the number of points");
+  add_stages(command, arguments.settings);
+  add_threads(command, arguments.settings);
 }
 
 }  // namespace geodrome::bench

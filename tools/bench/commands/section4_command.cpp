@@ -6,17 +6,17 @@
 #include <memory>
 
 #include "tools/bench/commands/commands.hpp"
-#include "tools/bench/solvers/fit.hpp"
 #include "tools/bench/samples/lemma22.hpp"
-#include "tools/bench/solvers/search_figures.hpp"
 #include "tools/bench/samples/section4_runs.hpp"
+#include "tools/bench/solvers/fit.hpp"
 #include "tools/bench/solvers/list.hpp"
+#include "tools/bench/solvers/search_figures.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* meaning =
+constexpr const char* section4_meaning =
     "Errors of D = max(surface distance, |st|) relative to true distances on the manifold; far: pairs at least a\n"
     "quarter of the largest distance apart. n: what the row is to stand up to; points: the sample it used. epsilon: "
     "as\n"
@@ -60,7 +60,8 @@ std::string with_delta(const std::string& solver, double delta) {
 
 class Section4 {
  public:
-  explicit Section4(const Section4Arguments& arguments) : arguments_(arguments), host_(arguments.settings.plugin_path) {}
+  explicit Section4(const Section4Arguments& arguments)
+      : arguments_(arguments), host_(arguments.settings.plugin_path) {}
 
   void run() {
     for (const std::string& shape : arguments_.shapes) run_shape(shape);
@@ -161,33 +162,27 @@ class Section4 {
   std::map<std::string, Series> series_;
 };
 
+void run(const Section4Arguments& arguments) { Section4(arguments).run(); }
+
 }  // namespace
 
 void add_section4(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<Section4Arguments>();
-  CLI::App& command =
-      *app.add_subcommand("section4", "Approximate solvers in the whole computation (Lemma 22): errors and costs.");
-  command.footer(meaning);
-  const auto list = [&](const char* flag, auto& values, const char* help) {
-    return command.add_option(flag, values, help)->delimiter(',')->allow_extra_args(false)->capture_default_str();
-  };
-  list("--shapes", arguments->shapes, "of torus, trefoil");
-  list("--points", arguments->points, "numbers of points");
-  const auto number = [&](const char* flag, std::size_t& value, const char* help) {
-    command.add_option(flag, value, help)->capture_default_str()->check(CLI::PositiveNumber);
-  };
-  number("--samples", arguments->samples, "of each size: seeds 1, 2, ...");
-  number("--sources", arguments->sources, "random points of each sample");
-  number("--truth-faces", arguments->truth_faces, "of the finest mesh of the true surface");
+  const auto [command, arguments] = add_command<Section4Arguments>(
+      app, action, "section4", "Approximate solvers in the whole computation (Lemma 22): errors and costs.",
+      section4_meaning, run);
+  add_list(command, "--shapes", arguments.shapes, "of torus, trefoil");
+  add_list(command, "--points", arguments.points, "numbers of points");
+  add_count(command, "--samples", arguments.samples, "of each size: seeds 1, 2, ...");
+  add_count(command, "--sources", arguments.sources, "random points of each sample");
+  add_count(command, "--truth-faces", arguments.truth_faces, "of the finest mesh of the true surface");
   const auto solver = [&](const char* flag, std::string& value, const char* help) {
     command.add_option(flag, value, help)->capture_default_str();
   };
-  solver("--exact", arguments->exact, "exact solvers, separated by commas");
-  solver("--approximate", arguments->approximate, "a solver; delta is appended if it ends with =");
-  solver("--truth", arguments->truth, "the exact solver on meshes of the true surface");
-  add_stages(command, arguments->settings);
-  add_threads(command, arguments->settings);
-  command.callback([&action, arguments] { action = [arguments] { Section4(*arguments).run(); }; });
+  solver("--exact", arguments.exact, "exact solvers, separated by commas");
+  solver("--approximate", arguments.approximate, "a solver; delta is appended if it ends with =");
+  solver("--truth", arguments.truth, "the exact solver on meshes of the true surface");
+  add_stages(command, arguments.settings);
+  add_threads(command, arguments.settings);
 }
 
 }  // namespace geodrome::bench

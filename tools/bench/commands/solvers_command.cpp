@@ -9,7 +9,7 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr const char* conditions =
+constexpr const char* solvers_meaning =
     "Conditions: one thread, both solvers in one process and one run, interleaved, the first one changing every run. "
     "A\n"
     "query is one search from a vertex and the copy of all vertex distances; each solver keeps one search, which has "
@@ -23,15 +23,15 @@ constexpr const char* conditions =
     "Wall-clock time: let nothing else run. Build with the release preset.";
 
 struct SolversArguments {
-  std::string mesh, solver = "chen_han", peer = "cgal";
-  std::vector<std::filesystem::path> plugin_path;
+  std::string mesh;
+  Rivals rivals;
   RaceOptions options;
 };
 
 void run(const SolversArguments& arguments) {
-  const PluginHost host(arguments.plugin_path);
-  const auto solver = host.load<ShortestPathSolver>(arguments.solver);
-  const auto peer = host.load<ShortestPathSolver>(arguments.peer);
+  const PluginHost host(arguments.rivals.plugin_path);
+  const auto solver = host.load<ShortestPathSolver>(arguments.rivals.solver);
+  const auto peer = host.load<ShortestPathSolver>(arguments.rivals.peer);
   const MeshPtr mesh = load_mesh(arguments.mesh);
   std::cout << arguments.mesh << ": " << mesh->face_count() << " faces, " << mesh->vertex_count() << " vertices; "
             << arguments.options.sources << " sources, " << arguments.options.runs << " runs\n";
@@ -41,21 +41,14 @@ void run(const SolversArguments& arguments) {
 }  // namespace
 
 void add_solvers(CLI::App& app, Action& action) {
-  auto arguments = std::make_shared<SolversArguments>();
-  CLI::App& command = *app.add_subcommand("solvers", "A solver against a peer on one mesh: ratios of medians.");
-  command.footer(conditions);
-  command.add_option("mesh", arguments->mesh, "a file, or shape:KIND:FACES[:SEED]")->required();
-  command.add_option("--solver", arguments->solver, "NAME[:key=value,...]")->capture_default_str();
-  command.add_option("--peer", arguments->peer, "NAME[:key=value,...]")->capture_default_str();
-  command.add_option("--sources", arguments->options.sources, "random vertices")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--runs", arguments->options.runs, "runs per source")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command.add_option("--seed", arguments->options.seed, "chooses the sources")->capture_default_str();
-  command.add_option("--plugin-path", arguments->plugin_path, "folders searched first");
-  command.callback([&action, arguments] { action = [arguments] { run(*arguments); }; });
+  const auto [command, arguments] = add_command<SolversArguments>(
+      app, action, "solvers", "A solver against a peer on one mesh: ratios of medians.", solvers_meaning, run);
+  add_mesh(command, arguments.mesh);
+  add_solver(command, arguments.rivals);
+  add_peer(command, arguments.rivals);
+  add_count(command, "--sources", arguments.options.sources, "random vertices");
+  add_count(command, "--runs", arguments.options.runs, "runs per source");
+  command.add_option("--seed", arguments.options.seed, "chooses the sources")->capture_default_str();
 }
 
 }  // namespace geodrome::bench

@@ -11,7 +11,7 @@ namespace {
 
 using Matrix = std::vector<std::vector<double>>;
 
-constexpr double patience = 3600;  // seconds for one search; none is expected to hang
+constexpr double most_seconds = 3600;  // seconds for one search; none is expected to hang
 
 Matrix extrapolated(const Matrix& coarse, const Matrix& fine, double coarse_faces, double fine_faces) {
   Matrix limit = fine;
@@ -32,7 +32,7 @@ MeshTruth::MeshTruth(const std::string& shape, std::size_t faces, const Plugin<S
   for (Level& level : levels_) {
     level.mesh = std::make_shared<const SurfaceMesh>(shapes::mesh(shape, wanted));
     level.locator = std::make_unique<SurfaceLocator>(level.mesh);
-    level.solver = std::make_unique<Witness>(solver, level.mesh, patience);
+    level.solver = std::make_unique<Witness>(solver, level.mesh, most_seconds);
     wanted *= 4;
   }
 }

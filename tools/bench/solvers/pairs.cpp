@@ -10,6 +10,7 @@
 #include "engine/report/median.hpp"
 #include "tools/bench/solvers/runner.hpp"
 #include "tools/bench/solvers/search_figures.hpp"
+#include "tools/bench/solvers/surface_points.hpp"
 #include "tools/shapes/random.hpp"
 
 namespace geodrome::bench {
@@ -49,11 +50,7 @@ void demand(const PluginInfo& solver, Provides bits, const char* what) {
   if (!has(solver.provides, bits)) throw CapabilityError(solver.full_name() + " does not provide " + what);
 }
 
-SurfacePoint random_vertex(const SurfaceMesh& mesh, shapes::Random& random) {
-  return mesh.at_vertex(mesh.triangles()[random.index(mesh.face_count())][random.index(3)]);
-}
-
-SurfacePoint random_inner_point(const SurfaceMesh& mesh, shapes::Random& random) {
+SurfacePoint point_in_face(const SurfaceMesh& mesh, shapes::Random& random) {
   const double a = std::sqrt(random.uniform()), b = random.uniform();
   return {static_cast<Index>(random.index(mesh.face_count())), {1 - a, a * (1 - b), a * b}};
 }
@@ -170,7 +167,7 @@ PairSet choose_pairs(const SurfaceMesh& mesh, const PairOptions& options) {
   if (mesh.face_count() == 0) throw InputError(InputFault::empty, "the mesh has no face");
   shapes::Random random(options.seed);
   const auto draw = [&](std::size_t i) {
-    return i % 2 == 0 ? random_vertex(mesh, random) : random_inner_point(mesh, random);
+    return i % 2 == 0 ? random_vertex(mesh, random) : point_in_face(mesh, random);
   };
   PairSet pairs;
   const std::size_t sources = std::clamp<std::size_t>(options.sources, 1, std::max<std::size_t>(options.pairs, 1));
