@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/engine/checks/rows.hpp"
+#include "tests/plugins/solver_schreiber/rows.hpp"
 
 namespace geodrome::schreiber::test {
 namespace {

@@ -39,7 +39,7 @@ struct Section4Arguments {
 };
 
 /// The rows of one solver or case, for the fits.
-struct Series {
+struct GrowingSeries {
   std::vector<double> points, epsilon, mean, over, under, seconds;
 };
 
@@ -118,7 +118,7 @@ class Section4 {
     const ManifoldRun run = run_on_manifold(host_.load<ShortestPathSolver>(contender.solver), surface, task);
     print_head(contender, task);
     print_figures(run, task.truth);
-    Series& s = series_[contender.label];
+    GrowingSeries& s = series_[contender.label];
     const DistanceErrors::Group& far = run.errors.far;
     s.points.push_back(static_cast<double>(contender.n));
     s.epsilon.push_back(constant_ / std::sqrt(s.points.back()));
@@ -141,7 +141,7 @@ class Section4 {
     std::fflush(stdout);
   }
 
-  static void print_exponents(const std::string& label, const Series& s) {
+  static void print_exponents(const std::string& label, const GrowingSeries& s) {
     const bool coarser_sample = label == "case 1";
     const auto exponent = [](const std::vector<double>& x, const std::vector<double>& y) {
       return figure_text(fitted_exponent(x, y), 2);  // "-" where some mean is 0
@@ -159,7 +159,7 @@ class Section4 {
   std::string shape_;
   std::unique_ptr<TaskMaker> maker_;
   double constant_ = 0;
-  std::map<std::string, Series> series_;
+  std::map<std::string, GrowingSeries> series_;
 };
 
 void run(const Section4Arguments& arguments) { Section4(arguments).run(); }
