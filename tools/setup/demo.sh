@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The main job from a bare machine: installs, builds, and turns points of a torus into a distance matrix with its report.
-# Builds the standard plugins and those that cost little; test.sh builds everything.
+# The main job from a bare machine: installs, builds, and turns points of a torus into a distance matrix with its
+# report. Builds the standard plugins and those that cost little; test.sh builds everything.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
