@@ -193,10 +193,10 @@ SurfacePoint Propagation::trace_nodes(Index node, TracedPath& path) const {
 
 std::array<Counter, 5> Propagation::counters() const {
   const std::uint64_t vertices = discretization_->surface().vertex_count();
-  return {{{"largest_Steiner_points", graph().node_count() - graph().vertex_count()},
+  return {{{"largest_steiner_points", graph().node_count() - graph().vertex_count()},
            {"largest_inserted_vertices", graph().vertex_count() - vertices},
-           {"settled nodes", search_.labels().touched().size()},
-           {"graph edges", search_.edges_compared()},
+           {"settled_nodes", search_.labels().touched().size()},
+           {"graph_edges", search_.edges_compared()},
            {"largest_search_bytes", search_.bytes() + watched_.capacity() * sizeof(Watched)}}};
 }
 

@@ -189,7 +189,7 @@ class EdgeSearch final : public Search, private ShortestPathMap {
   double radius_ = infinity;
   Keep keep_ = Keep::targets;
   KeptTargets kept_;
-  std::array<Counter, 1> counters_{{{"settled vertices", 0}}};
+  std::array<Counter, 1> counters_{{{"settled_vertices", 0}}};
 };
 
 class EdgePrepared final : public PreparedSurface {

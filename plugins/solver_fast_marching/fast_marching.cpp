@@ -68,7 +68,7 @@ class FastMarchingSearch final : public Search {
   std::shared_ptr<const Prepared> prepared_;
   Front front_;
   VertexMap map_;
-  std::array<Counter, 2> counters_{{{"settled vertices", 0}, {"largest_search_bytes", 0}}};
+  std::array<Counter, 2> counters_{{{"settled_vertices", 0}, {"largest_search_bytes", 0}}};
 };
 
 class FastMarchingPrepared final : public PreparedSurface {

@@ -103,7 +103,7 @@ class HeatSearch final : public Search {
 
   std::shared_ptr<const Prepared> prepared_;
   VertexMap map_;
-  std::array<Counter, 1> counters_{{{"solved sources", 0}}};
+  std::array<Counter, 1> counters_{{{"solved_sources", 0}}};
 };
 
 class HeatPrepared final : public PreparedSurface {

@@ -57,6 +57,7 @@ const Planted planted_faults[] = {
      {"discipline.used_again"}},
     {"hangs", {"surfaces.no_area"}, "still running after 20 s", {"distances.plane"}},
     {"crashes", {"surfaces.three_faces", "surfaces.bow_tie"}, "SIGSEGV", {"distances.plane"}},
+    {"counter_names", {"discipline.counter_names"}, "snake case", {"discipline.bytes"}},
     {"leaks", {"discipline.memory_searches", "discipline.memory_surfaces"}, "at most", {"distances.plane"}},
     {"guesses_in_faces", {"distances.plane_any_point", "guarantee.shapes"}, "at most", {"distances.plane"}},
     {"short_paths",

@@ -19,6 +19,7 @@ struct NoFault {
   static double value(double right) { return right; }
   static Distance at(const ShortestPathMap&, const SurfaceMesh&, const SurfacePoint&, Distance right) { return right; }
   static void path(std::vector<SurfacePoint>&) {}
+  static void counters(std::vector<Counter>&) {}
   static constexpr bool shares_results = false;  ///< between the searches of a surface
 };
 
@@ -32,6 +33,8 @@ class FaultySearch : public Search, public ShortestPathMap {
     Fault::before_run(*mesh_);
     map_ = &right_->run(sources, request, context);
     for (std::size_t v = 0; v < values_->size(); ++v) (*values_)[v] = Fault::value(map_->vertices()[v]);
+    counters_.assign(map_->counters().begin(), map_->counters().end());
+    Fault::counters(counters_);
     return *this;
   }
 
@@ -45,13 +48,14 @@ class FaultySearch : public Search, public ShortestPathMap {
     map_->path(point, out);
     Fault::path(out);
   }
-  std::span<const Counter> counters() const override { return map_->counters(); }
+  std::span<const Counter> counters() const override { return counters_; }
 
  private:
   MeshPtr mesh_;
   std::unique_ptr<Search> right_;
   std::shared_ptr<std::vector<double>> values_;
   const ShortestPathMap* map_ = nullptr;
+  std::vector<Counter> counters_;
 };
 
 template <class Fault>

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
+#include <string>
+#include <string_view>
 #include <thread>
 
 #include "tools/conformance/solver/solver_trial.hpp"
@@ -175,6 +178,26 @@ void memory_of_surfaces(SolverTrial& t) {
       t, [&] { Running(t.plugin, mesh).run({{mesh->at_vertex(7)}}); }, 200, "surfaces prepared and dropped");
 }
 
+/// Snake case: a-z, 0-9 and _, from a letter on.
+bool is_counter_name(const char* name) {
+  if (name == nullptr || !(*name >= 'a' && *name <= 'z')) return false;
+  const auto allowed = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; };
+  return std::ranges::all_of(std::string_view(name), allowed);
+}
+
+/// Counters are keys of the run report, where they are added up by name.
+void counter_names(SolverTrial& t) {
+  const MeshPtr mesh = usual_mesh(t);
+  Running running(t.plugin, mesh);
+  std::set<std::string> names;
+  for (const Counter& counter : running.map({{mesh->at_vertex(7)}}).counters()) {
+    const std::string name = counter.name ? counter.name : "(null)";
+    t.holds(is_counter_name(counter.name), "a counter named in snake case", name);
+    t.holds(names.insert(name).second, "a counter that occurs once", name);
+  }
+  t.holds(true, "all counters");
+}
+
 void bytes_held(SolverTrial& t) {
   const MeshPtr mesh = usual_mesh(t);
   QuietContext context;
@@ -197,6 +220,7 @@ DemandTable discipline_demands() {
       solver_demand<progress>("discipline.progress", "progress is told as a share"),
       solver_demand<memory_of_searches>("discipline.memory_searches", "repeated searches keep no memory"),
       solver_demand<memory_of_surfaces>("discipline.memory_surfaces", "prepared surfaces give all their memory back"),
+      solver_demand<counter_names>("discipline.counter_names", "counters are named in snake case, each once"),
       solver_demand<bytes_held>("discipline.bytes", "a prepared surface tells its size"),
   };
 }
