@@ -74,17 +74,25 @@ TEST_F(PluginsCommand, CheckRefusesWhatIsNoPluginOrNoDemand) {
   EXPECT_EQ(run({"check", GEODROME_BINARY_DIR "/tests/bad_plugins/solver_bad_crashes_at_load.so"}).status, 5);
 }
 
-TEST_F(PluginsCommand, NewWritesAProjectThatIsNamedThroughout) {
-  const std::string folder = (folder_ / "mine").string();
-  const Outcome outcome = run({"new", "my_own", "--stage", "solver", "-o", folder});
-  EXPECT_EQ(outcome.status, 0) << outcome.err;
-  for (const char* name : {"CMakeLists.txt", "README.md", "contract_test.cpp", "my_own.cpp"}) {
-    const std::string text = read_bytes(folder_ / "mine" / name);
-    EXPECT_FALSE(text.empty()) << name;
-    EXPECT_EQ(text.find("template_name"), std::string::npos) << name;
-    EXPECT_EQ(text.find("TemplateName"), std::string::npos) << name;
+TEST_F(PluginsCommand, NewWritesAProjectOfEachStageThatIsNamedThroughout) {
+  const std::pair<std::string, std::string> stages[] = {{"tangent", "TangentEstimator"},
+                                                        {"control", "ControlFunction"},
+                                                        {"decimator", "Decimator"},
+                                                        {"reconstructor", "SurfaceReconstructor"},
+                                                        {"solver", "ShortestPathSolver"}};
+  for (const auto& [stage, interface] : stages) {
+    const std::string folder = (folder_ / stage).string();
+    const Outcome outcome = run({"new", "my_own", "--stage", stage, "-o", folder});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    for (const char* name : {"CMakeLists.txt", "README.md", "contract_test.cpp", "my_own.cpp"}) {
+      const std::string text = read_bytes(folder_ / stage / name);
+      EXPECT_FALSE(text.empty()) << name;
+      for (const char* placeholder : {"template_name", "TemplateName", "template_stage"})
+        EXPECT_EQ(text.find(placeholder), std::string::npos) << stage << ", " << name;
+    }
+    const std::string source = read_bytes(folder_ / stage / "my_own.cpp");
+    EXPECT_NE(source.find("class MyOwn : public " + interface), std::string::npos) << stage;
   }
-  EXPECT_NE(read_bytes(folder_ / "mine/my_own.cpp").find("class MyOwn : public ShortestPathSolver"), std::string::npos);
 }
 
 TEST_F(PluginsCommand, NewOverwritesNothing) {

@@ -1,10 +1,12 @@
 # cmake -D STEP=... -D BUILD=... -D SOURCE=... -D WORK=... -D LIBDIR=... -P install_test.cmake
 #
 # One step of the test of the installed package. The steps share WORK: prefix/ (the install), third_party/ (a program
-# and the template's plugin, built against it), solver_my_own/ (a whole project from the template), my_own/ (its
-# build) and command_line/ (the command line, built against the install). What comes out wrong ends in a FATAL_ERROR.
+# and the template's plugin, built against it), projects/ (a project from each template, and one that builds them all),
+# my_own/ (its build) and command_line/ (the command line, built against the install). What comes out wrong ends in a
+# FATAL_ERROR.
 set(prefix ${WORK}/prefix)
 set(third_party ${WORK}/third_party)
+set(stages tangent control decimator reconstructor solver)
 
 function(run out)
   execute_process(COMMAND ${ARGN} OUTPUT_VARIABLE stdout ERROR_VARIABLE stderr RESULT_VARIABLE status)
@@ -66,6 +68,9 @@ if(STEP STREQUAL "install")
       message(FATAL_ERROR "${file} was not installed")
     endif()
   endforeach()
+  # What engine and plugins of this repository share is no part of the SDK.
+  file(GLOB_RECURSE private ${prefix}/include/*/closest_point_tree.hpp ${prefix}/include/*/internal/*)
+  expect_equal("private headers installed" "${private}" "")
 elseif(STEP STREQUAL "package")
   # Neither compile flags nor what the engine is made of may reach a user's targets.
   file(GLOB files ${prefix}/${LIBDIR}/cmake/geodrome/geodromeTargets*.cmake
@@ -96,16 +101,25 @@ elseif(STEP STREQUAL "command_line")
       --solver edge_dijkstra)
   check_first_row(${csv})
 elseif(STEP STREQUAL "new")
-  # What a stranger does: a project from the template, built, judged by the program and by its own tests.
-  run(ignored ${CMAKE_COMMAND} -E chdir ${WORK} ${prefix}/bin/geodrome plugins new my_own --stage solver)
+  # What a stranger does: a project from the template, built, judged by the program and by its own tests. Of every
+  # stage, all in one project.
+  set(all "cmake_minimum_required(VERSION 3.25)\nproject(all LANGUAGES CXX)\nenable_testing()\n")
+  file(MAKE_DIRECTORY ${WORK}/projects)
+  foreach(stage IN LISTS stages)
+    run(ignored ${CMAKE_COMMAND} -E chdir ${WORK}/projects ${prefix}/bin/geodrome plugins new my_own --stage ${stage})
+    string(APPEND all "add_subdirectory(${stage}_my_own)\n")
+  endforeach()
+  file(WRITE ${WORK}/projects/CMakeLists.txt "${all}")
   set(ENV{LD_LIBRARY_PATH} ${prefix}/${LIBDIR})  # also for a build with sanitizers
-  run(ignored ${CMAKE_COMMAND} -S ${WORK}/solver_my_own -B ${WORK}/my_own -G ${GENERATOR}
+  run(ignored ${CMAKE_COMMAND} -S ${WORK}/projects -B ${WORK}/my_own -G ${GENERATOR}
       -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER} -D CMAKE_CXX_FLAGS=${FLAGS}
       -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
   run(ignored ${CMAKE_COMMAND} --build ${WORK}/my_own)
 elseif(STEP STREQUAL "new_check")
-  run(verdicts ${prefix}/bin/geodrome plugins check ${WORK}/my_own/lib/geodrome/solver_my_own.so)
-  expect_match("verdicts" "${verdicts}" "solver_my_own: [1-9][0-9]+ held, 0 failed")
+  foreach(stage IN LISTS stages)
+    run(verdicts ${prefix}/bin/geodrome plugins check ${WORK}/my_own/lib/geodrome/${stage}_my_own.so)
+    expect_match("verdicts" "${verdicts}" "${stage}_my_own: [1-9][0-9]* held, 0 failed")
+  endforeach()
 elseif(STEP STREQUAL "new_tests")
   run(tests ${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/my_own)
   expect_match("tests" "${tests}" "100% tests passed, 0 tests failed")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <sstream>
 
 #include "geodrome/engine/installed.hpp"
@@ -44,9 +45,10 @@ std::string replaced(std::string text, const std::string& word, const std::strin
   return text;
 }
 
-/// The template's placeholders: "template_name" and "TemplateName".
-std::string with_name(const std::string& text, const std::string& name) {
-  return replaced(replaced(text, "template_name", name), "TemplateName", class_name(name));
+/// Puts stage and name in the place of "template_stage", "template_name" and "TemplateName".
+std::string filled(const std::string& text, const NewPluginArguments& arguments) {
+  const std::string staged = replaced(text, "template_stage", arguments.stage);
+  return replaced(replaced(staged, "template_name", arguments.name), "TemplateName", class_name(arguments.name));
 }
 
 InputError unwritable(const fs::path& path) {
@@ -54,26 +56,34 @@ InputError unwritable(const fs::path& path) {
                     "check the folder, or choose another with -o");
 }
 
-void copy_file(const fs::path& from, const fs::path& to, const std::string& name) {
+void copy_file(const fs::path& from, const fs::path& to, const NewPluginArguments& arguments) {
   std::ostringstream text;
   text << std::ifstream(from, std::ios::binary).rdbuf();
   std::ofstream out(to, std::ios::binary);
-  out << with_name(text.str(), name);
+  out << filled(text.str(), arguments);
   if (!out.flush()) throw unwritable(to);
   std::cout << to.string() << "\n";
 }
 
+/// The files of the templates by their names in the project: those of the stage, and those of all stages.
+std::map<std::string, fs::path> template_files(const NewPluginArguments& arguments) {
+  std::map<std::string, fs::path> files;
+  for (const std::string& folder : {std::string("common"), arguments.stage})
+    for (const auto& entry : fs::directory_iterator(installed_data("templates/" + folder)))
+      files[filled(entry.path().filename().string(), arguments)] = entry.path();
+  return files;
+}
+
 int start_plugin(const NewPluginArguments& arguments) {
   check_plugin_name(arguments.name);
-  const fs::path source = installed_data("templates/" + arguments.stage);
+  const std::map<std::string, fs::path> files = template_files(arguments);
   const fs::path target =
       arguments.folder.empty() ? fs::path(arguments.stage + "_" + arguments.name) : arguments.folder;
   if (fs::exists(target))
     throw InputError(InputFault::io, target.string() + " is there already", "choose another folder with -o");
   std::error_code error;
   if (!fs::create_directories(target, error)) throw unwritable(target);
-  for (const auto& entry : fs::directory_iterator(source))
-    copy_file(entry.path(), target / with_name(entry.path().filename().string(), arguments.name), arguments.name);
+  for (const auto& [name, source] : files) copy_file(source, target / name, arguments);
   return 0;
 }
 
@@ -87,7 +97,8 @@ void add_plugins_new(CLI::App& plugins, Action& action) {
   command.add_option("NAME", arguments.name, "Its name without the stage: small letters, digits, _")->required();
   command.add_option("--stage", arguments.stage, "The stage it is to serve")
       ->required()
-      ->check(CLI::IsMember({ShortestPathSolver::stage}))
+      ->check(CLI::IsMember({TangentEstimator::stage, ControlFunction::stage, Decimator::stage,
+                             SurfaceReconstructor::stage, ShortestPathSolver::stage}))
       ->type_name("STAGE");
   command.add_option("-o", arguments.folder, "The folder to be made (default: STAGE_NAME)")->type_name("DIR");
 }

@@ -1,4 +1,4 @@
-// Every demand of the contract that solvers keep, on this one.
+// Every demand of the contract of this plugin's stage, on this one.
 #include <geodrome/conformance/gtest.hpp>
 
 int main(int argc, char** argv) {
