@@ -44,7 +44,7 @@ Control ConstantControl::evaluate(const PointSample& sample, const Tangents& tan
   Control control{std::vector(sample.size(), not_computed), std::vector(sample.size(), not_computed), tangents.state};
   const LivePoints live = live_points(sample, tangents.state);
   if (live.size() == 0) return control;
-  double phi = value_;
+  double phi = settings_.value;
   if (phi == 0) {
     const double spacing = spacing_of(live, context);
     context.measure("spacing", spacing);

@@ -2,14 +2,17 @@
 #pragma once
 
 #include "geodrome/control_function.hpp"
-#include "geodrome/options.hpp"
+#include "geodrome/settings.hpp"
 
 namespace geodrome {
 
-inline constexpr OptionSpec constant_options[] = {
-    number_option("value", "0", 0, 1e100, "units of the input",
-                  "psi of every point; 0: 0.8 times the sample's spacing"),
+struct ConstantSettings {
+  double value;
 };
+
+inline constexpr auto constant_options =
+    settings_table(option("value", &ConstantSettings::value, "0", 0, 1e100, "units of the input",
+                          "psi of every point; 0: 0.8 times the sample's spacing"));
 
 /// The spacing of a sample is the median distance of a point from its neighbour of this rank. The sixth is 1.38 r away
 /// on average in a random sample and 1.41 r in a square lattice, with 1 / r^2 points per unit of area; the nearest
@@ -27,14 +30,14 @@ inline constexpr double spacing_factor = 0.8;
 /// Measures: "psi"; "spacing", unless the value is given; "raised_to_noise", the points whose psi the noise decides.
 class ConstantControl final : public ControlFunction {
  public:
-  explicit ConstantControl(const OptionValues& options) : value_(options.number("value")) {}
+  explicit ConstantControl(const OptionValues& options) : settings_(constant_options.parsed(options)) {}
 
   /// O(n log n), O(n) with a given value. Throws SampleError, unless the value is given, if there is but one point or
   /// most points coincide with their neighbours.
   Control evaluate(const PointSample& sample, const Tangents& tangents, RunContext& context) const override;
 
  private:
-  double value_;
+  ConstantSettings settings_;
 };
 
 }  // namespace geodrome

@@ -85,11 +85,11 @@ Control LipschitzControl::evaluate(const PointSample& sample, const Tangents& ta
   const std::vector<Index> order = spatial_order(live.points);
   const std::vector<CellRadius> cells = cell_radii(neighbours, order, live, tangents, context);
 
-  const std::vector<double> limit = cap_ ? caps(neighbours, order, cells, context) : std::vector<double>();
+  const std::vector<double> limit = settings_.cap ? caps(neighbours, order, cells, context) : std::vector<double>();
   std::vector<double> phi(live.size());
   std::size_t unbounded = 0, capped = 0;
   for (std::size_t i = 0; i < live.size(); ++i) {
-    const bool cut = cap_ && cells[i].phi > limit[i];
+    const bool cut = settings_.cap && cells[i].phi > limit[i];
     phi[i] = cut ? limit[i] : cells[i].phi;
     PointState& state = control.state[live.sample_index[i]];
     if (cut) state = PointState::capped;

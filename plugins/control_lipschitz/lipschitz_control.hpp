@@ -2,14 +2,18 @@
 #pragma once
 
 #include "geodrome/control_function.hpp"
-#include "geodrome/options.hpp"
+#include "geodrome/settings.hpp"
 #include "plugins/common/points/noise_floor.hpp"
 
 namespace geodrome {
 
-inline constexpr OptionSpec lipschitz_options[] = {
-    boolean_option("cap", "on", "limit phi to 1.5 times the median of the 17 nearest points; off: as in the paper"),
+struct LipschitzSettings {
+  bool cap;
 };
+
+inline constexpr auto lipschitz_options =
+    settings_table(option("cap", &LipschitzSettings::cap, "on",
+                          "limit phi to 1.5 times the median of the 17 nearest points; off: as in the paper"));
 
 /// phi' = phi_factor phi bounds the restricted Voronoi cell (Lemma 2, Corollary 4).
 inline constexpr double phi_factor = 1.0005;
@@ -25,13 +29,13 @@ inline constexpr double psi_slope = 1.19 / 22;
 /// below `noise_factor` sigma; the paper's guarantee does not cover a sample with noise.
 class LipschitzControl final : public ControlFunction {
  public:
-  explicit LipschitzControl(const OptionValues& options) : cap_(options.boolean("cap")) {}
+  explicit LipschitzControl(const OptionValues& options) : settings_(lipschitz_options.parsed(options)) {}
 
   /// Needs unit normals. O(n log n) typically. Throws SampleError if there are points but a cell that no other limits.
   Control evaluate(const PointSample& sample, const Tangents& tangents, RunContext& context) const override;
 
  private:
-  bool cap_;
+  LipschitzSettings settings_;
 };
 
 }  // namespace geodrome

@@ -14,7 +14,7 @@ Reconstruction AdvancingFront::reconstruct(const PointSample& sample, const Tang
   const KeptPoints points = kept_points(sample, tangents, control, kept);
   Reconstruction result;
   const auto plane = common_plane(points.points);
-  const FaceRule rule{points.points, points.psi, plane || boundary_ != BoundaryRule::closed};
+  const FaceRule rule{points.points, points.psi, plane || settings_.boundary != BoundaryRule::closed};
   std::vector<Triangle> faces = plane ? planar_surface(*plane, rule, result.findings) : front_triangles(rule);
   context.throw_if_cancelled();
   const std::size_t dropped = drop_minor_fans(faces, points.points.size());
@@ -23,7 +23,7 @@ Reconstruction AdvancingFront::reconstruct(const PointSample& sample, const Tang
         finding(Finding::Severity::warning, "dropped_faces",
                 counted(dropped, "face", "faces") + " met the rest in a single point and left out.", dropped));
   orient_outwards(faces, points.points);
-  finish(result, std::move(faces), points, sample, boundary_);
+  finish(result, std::move(faces), points, sample, settings_.boundary);
   return result;
 }
 

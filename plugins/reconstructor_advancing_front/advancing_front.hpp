@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
-
-#include "geodrome/options.hpp"
 #include "plugins/common/surfaces/finished_surface.hpp"
 
 namespace geodrome {
@@ -16,11 +13,13 @@ namespace geodrome {
 /// and holes stay open. The normals of the tangent planes are not used. Closed components are oriented outwards.
 class AdvancingFront final : public SurfaceReconstructor {
  public:
-  static constexpr std::array<OptionSpec, 1> options{
-      choice_option("boundary", "auto", "auto|closed|open",
-                    "auto: a boundary is allowed and reported; closed: it is an error; open: it is expected")};
+  struct Settings {
+    BoundaryRule boundary;
+  };
+  static constexpr auto options = settings_table(boundary_option(
+      &Settings::boundary, "auto: a boundary is allowed and reported; closed: it is an error; open: it is expected"));
 
-  explicit AdvancingFront(const OptionValues& values) : boundary_(boundary_rule(values.text("boundary"))) {}
+  explicit AdvancingFront(const OptionValues& values) : settings_(options.parsed(values)) {}
 
   /// Throws SampleError if there are fewer than three points, all on a line, no faces, an edge of three faces, no
   /// orientation, a boundary under boundary=closed, or over 5 % of the points are left out. O(n log n) typically.
@@ -28,7 +27,7 @@ class AdvancingFront final : public SurfaceReconstructor {
                              std::span<const Index> kept, RunContext& context) const override;
 
  private:
-  BoundaryRule boundary_;
+  Settings settings_;
 };
 
 }  // namespace geodrome

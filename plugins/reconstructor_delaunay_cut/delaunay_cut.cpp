@@ -245,7 +245,7 @@ class Reconstructing {
 Reconstruction DelaunayCut::reconstruct(const PointSample& sample, const Tangents& tangents, const Control& control,
                                         std::span<const Index> kept, RunContext& context) const {
   context.throw_if_cancelled();
-  return Reconstructing(sample, tangents, control, boundary_, allow_stars_, kept, context).run();
+  return Reconstructing(sample, tangents, control, settings_.boundary, settings_.allow_stars, kept, context).run();
 }
 
 }  // namespace geodrome

@@ -17,15 +17,19 @@ namespace geodrome {
 /// `lids`, `rounds` and `epsilon` say how good the sample was.
 class DelaunayCut final : public SurfaceReconstructor {
  public:
-  static constexpr std::array<OptionSpec, 2> options{
-      choice_option("boundary", "auto", "auto|closed|open",
-                    "auto: holes that the sample shows stay open, thin places are closed; closed: a hole is an error; "
-                    "open: every face that psi does not explain is left out"),
-      choice_option("stars", "refuse", "refuse|allow",
-                    "what becomes of a sample whose planar stars disagree too often")};
+  struct Settings {
+    BoundaryRule boundary;
+    bool allow_stars;
+  };
+  static constexpr auto options = settings_table(
+      boundary_option(
+          &Settings::boundary,
+          "auto: holes that the sample shows stay open, thin places are closed; closed: a hole is an error; "
+          "open: every face that psi does not explain is left out"),
+      option("stars", &Settings::allow_stars, "refuse", "refuse|allow", {false, true},
+             "what becomes of a sample whose planar stars disagree too often"));
 
-  explicit DelaunayCut(const OptionValues& values)
-      : boundary_(boundary_rule(values.text("boundary"))), allow_stars_(values.text("stars") == "allow") {}
+  explicit DelaunayCut(const OptionValues& values) : settings_(options.parsed(values)) {}
 
   /// Throws SampleError, with the density that would do where it can be said, if there are fewer than three points or
   /// all on a line; over 20 % of the star triangles are inconsistent (unless stars=allow); the border is no 2-manifold
@@ -35,8 +39,7 @@ class DelaunayCut final : public SurfaceReconstructor {
                              std::span<const Index> kept, RunContext& context) const override;
 
  private:
-  BoundaryRule boundary_;
-  bool allow_stars_;
+  Settings settings_;
 };
 
 }  // namespace geodrome

@@ -56,9 +56,10 @@ Reconstruction StarSurface::reconstruct(const PointSample& sample, const Tangent
   context.progress(0.7);
   context.throw_if_cancelled();
   const Fault disputed = disputed_triangles(all);
-  if (const auto fault = orient_or_fault(all.faces, kept.points, boundary_)) refuse(*fault, disputed, kept, result);
+  if (const auto fault = orient_or_fault(all.faces, kept.points, settings_.boundary))
+    refuse(*fault, disputed, kept, result);
   if (disputed.count > 0) result.findings.push_back(finding_of(Finding::Severity::note, disputed, kept));
-  finish(result, std::move(all.faces), kept, sample, boundary_);
+  finish(result, std::move(all.faces), kept, sample, settings_.boundary);
   context.progress(1);
   return result;
 }

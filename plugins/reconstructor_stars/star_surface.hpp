@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
-
-#include "geodrome/options.hpp"
 #include "plugins/common/surfaces/finished_surface.hpp"
 
 namespace geodrome {
@@ -19,12 +16,15 @@ namespace geodrome {
 /// Measures `inconsistent_stars` and `star_ties`.
 class StarSurface final : public SurfaceReconstructor {
  public:
-  static constexpr std::array<OptionSpec, 1> options{
-      choice_option("boundary", "auto", "auto|closed|open",
-                    "auto: holes with 20 points around or more stay open, smaller ones are an error; closed: any hole "
-                    "is an error; open: every hole stays open")};
+  struct Settings {
+    BoundaryRule boundary;
+  };
+  static constexpr auto options = settings_table(boundary_option(
+      &Settings::boundary,
+      "auto: holes with 20 points around or more stay open, smaller ones are an error; closed: any hole "
+      "is an error; open: every hole stays open"));
 
-  explicit StarSurface(const OptionValues& values) : boundary_(boundary_rule(values.text("boundary"))) {}
+  explicit StarSurface(const OptionValues& values) : settings_(options.parsed(values)) {}
 
   /// Throws SampleError, with the worst places as findings, if there are fewer than three points or no triangles, the
   /// union is no oriented 2-manifold, it has a boundary that the option forbids, or over 5 % of the points are on no
@@ -33,7 +33,7 @@ class StarSurface final : public SurfaceReconstructor {
                              std::span<const Index> kept, RunContext& context) const override;
 
  private:
-  BoundaryRule boundary_;
+  Settings settings_;
 };
 
 }  // namespace geodrome

@@ -33,24 +33,11 @@ class AleksandrovPrepared final : public PreparedSurface {
   std::shared_ptr<const aleksandrov::Discretization> discretization_;
 };
 
-aleksandrov::Triangulation triangulation_named(const std::string& name) {
-  using enum aleksandrov::Triangulation;
-  return name == "as_is" ? as_is : name == "flipped" ? flipped : refined;
-}
-
 }  // namespace
 
-AleksandrovSolver::AleksandrovSolver(const OptionValues& options) {
-  settings_.delta = options.number("delta");
-  settings_.placement =
-      options.text("placement") == "thin" ? aleksandrov::Placement::thin : aleksandrov::Placement::published;
-  settings_.triangulation = triangulation_named(options.text("triangulation"));
-  settings_.thinning = options.number("unguaranteed_thinning");
-}
-
-double AleksandrovSolver::factor(const OptionValues* options) noexcept {
-  const bool proven = options->number("unguaranteed_thinning") == 1;
-  return proven ? 1 + options->number("delta") : std::numeric_limits<double>::infinity();
+double AleksandrovSolver::factor(const OptionValues* values) noexcept {
+  const Settings settings = options.parsed(*values);
+  return settings.thinning == 1 ? 1 + settings.delta : std::numeric_limits<double>::infinity();
 }
 
 std::unique_ptr<PreparedSurface> AleksandrovSolver::prepare(MeshPtr mesh, RunContext& context) const {

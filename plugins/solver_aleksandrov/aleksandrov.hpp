@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geodrome/options.hpp"
+#include "geodrome/settings.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "plugins/solver_aleksandrov/discretization.hpp"
 
@@ -18,25 +18,29 @@ class AleksandrovSolver final : public ShortestPathSolver {
                                        Provides::target_limit | Provides::any_point | Provides::paths |
                                        Provides::path_is_distance | Provides::pair_queries | Provides::weights |
                                        Provides::factor_any_point | Provides::never_shorter;
-  static constexpr OptionSpec options[] = {
-      number_option("delta", "0.05", 1e-4, 1, "", "distances are at most 1 + delta times too long"),
-      choice_option("placement", "thin", "thin|published", "of Steiner points: ours, or that of the paper (denser)"),
-      choice_option("triangulation", "refined", "as_is|flipped|refined",
-                    "of the same surface: the mesh, intrinsic Delaunay, or that without thin faces"),
-      number_option("unguaranteed_thinning", "1", 1, 100, "",
-                    "steps between Steiner points so many times as long: faster, and NO guarantee above 1"),
-  };
+  using Settings = aleksandrov::Settings;
+  static constexpr auto options = settings_table(
+      option("delta", &Settings::delta, "0.05", 1e-4, 1, "", "distances are at most 1 + delta times too long"),
+      option("placement", &Settings::placement, "thin", "thin|published",
+             {aleksandrov::Placement::thin, aleksandrov::Placement::published},
+             "of Steiner points: ours, or that of the paper (denser)"),
+      option(
+          "triangulation", &Settings::triangulation, "refined", "as_is|flipped|refined",
+          {aleksandrov::Triangulation::as_is, aleksandrov::Triangulation::flipped, aleksandrov::Triangulation::refined},
+          "of the same surface: the mesh, intrinsic Delaunay, or that without thin faces"),
+      option("unguaranteed_thinning", &Settings::thinning, "1", 1, 100, "",
+             "steps between Steiner points so many times as long: faster, and NO guarantee above 1"));
 
-  explicit AleksandrovSolver(const OptionValues& options);
+  explicit AleksandrovSolver(const OptionValues& values) : settings_(options.parsed(values)) {}
 
   /// 1 + delta, or no factor with thinning.
-  static double factor(const OptionValues* options) noexcept;
+  static double factor(const OptionValues* values) noexcept;
 
   /// O(F log F) and the Steiner points.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;
 
  private:
-  aleksandrov::Settings settings_;
+  Settings settings_;
 };
 
 }  // namespace geodrome

@@ -22,8 +22,7 @@ chen_han::Simd simd_level(const std::string& name) {
 
 }  // namespace
 
-ChenHanSolver::ChenHanSolver(const OptionValues& options)
-    : settings_{options.text("filter") == "xin_wang", simd_level(options.text("simd"))} {}
+ChenHanSolver::ChenHanSolver(const Choices& choices) : settings_{choices.filter, simd_level(choices.simd)} {}
 
 std::unique_ptr<PreparedSurface> ChenHanSolver::prepare(MeshPtr mesh, RunContext& context) const {
   return prepare_exact<chen_han::Propagation>(std::move(mesh), settings_, context);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geodrome/options.hpp"
+#include "geodrome/settings.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "plugins/solver_chen_han/settings.hpp"
 
@@ -19,19 +19,24 @@ class ChenHanSolver final : public ShortestPathSolver {
                                        Provides::target_limit | Provides::any_point | Provides::paths |
                                        Provides::path_is_distance | Provides::factor_any_point |
                                        Provides::never_shorter;
-  static constexpr OptionSpec options[] = {
-      choice_option("filter", "xin_wang", "xin_wang|off",
-                    "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
-      choice_option("simd", "auto", "auto|baseline|avx2", "processor level of the inner loops; same results"),
+  struct Choices {
+    bool filter;
+    std::string simd;
   };
+  static constexpr auto options = settings_table(
+      option("filter", &Choices::filter, "xin_wang", "xin_wang|off", {true, false},
+             "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
+      option("simd", &Choices::simd, "auto", "auto|baseline|avx2", "processor level of the inner loops; same results"));
 
   /// Throws OptionError for a level that the processor does not have.
-  explicit ChenHanSolver(const OptionValues& options);
+  explicit ChenHanSolver(const OptionValues& values) : ChenHanSolver(options.parsed(values)) {}
 
   /// O(F log F). Throws CapabilityError for face weights.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;
 
  private:
+  explicit ChenHanSolver(const Choices& choices);
+
   chen_han::Settings settings_;
 };
 

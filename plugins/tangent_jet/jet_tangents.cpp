@@ -102,25 +102,17 @@ std::vector<TangentPlane> jet_planes(const Cloud& cloud) {
 
 }  // namespace
 
-JetTangents::JetTangents(const OptionValues& options)
-    : k_(static_cast<std::size_t>(options.integer("k"))),
-      smooth_(options.text("smooth") == "on"    ? Smooth::on
-              : options.text("smooth") == "off" ? Smooth::off
-                                                : Smooth::automatic),
-      outliers_(options.text("outliers") == "off"        ? OutlierRule::off
-                : options.text("outliers") == "distance" ? OutlierRule::distance
-                                                         : OutlierRule::local) {}
-
 Tangents JetTangents::estimate(const PointSample& sample, RunContext& context) const {
   require_three_points(sample.size());
   Tangents tangents;
   tangents.state.assign(sample.size(), PointState::dropped);
-  Cloud cloud = whole_cloud(sample, k_, context);
+  Cloud cloud = whole_cloud(sample, settings_.k, context);
   for (std::size_t i = 0; i < sample.size(); ++i)
     tangents.plane.push_back({sample.points[i], cloud.jets[i].plane_normal, cloud.jets[i].residual});
 
-  const Noise noise = drop_outliers(cloud, k_, outliers_, context);
-  const bool smooth = smooth_ == Smooth::on || (smooth_ == Smooth::automatic && noise.significant);
+  const Noise noise = drop_outliers(cloud, settings_.k, settings_.outliers, context);
+  const bool smooth =
+      settings_.smooth == Smooth::always || (settings_.smooth == Smooth::where_noisy && noise.significant);
   std::vector<TangentPlane> planes =
       smooth ? smoothed_planes(cloud.neighbours, cloud.order, noise.neighbourhood, context, {0.5, 1})
              : jet_planes(cloud);

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geodrome/options.hpp"
+#include "geodrome/settings.hpp"
 #include "geodrome/tangent_estimator.hpp"
 #include "plugins/tangent_jet/outliers.hpp"
 
 namespace geodrome {
 
-inline constexpr OptionSpec jet_options[] = {
-    integer_option("k", "20", 6, 400, "points", "neighbours that the quadric is fitted to"),
-    choice_option("smooth", "auto", "auto|on|off", "move points onto the surface: where there is noise, always, never"),
-    choice_option("outliers", "auto", "auto|distance|off",
-                  "drop outliers: by the planes around them, by distance from the 8th neighbour alone, none"),
+/// Whether points are moved onto the surface.
+enum class Smooth { where_noisy, always, never };
+
+struct JetSettings {
+  std::size_t k;
+  Smooth smooth;
+  OutlierRule outliers;
 };
+
+inline constexpr auto jet_options = settings_table(
+    option("k", &JetSettings::k, "20", 6, 400, "points", "neighbours that the quadric is fitted to"),
+    option("smooth", &JetSettings::smooth, "auto", "auto|on|off", {Smooth::where_noisy, Smooth::always, Smooth::never},
+           "move points onto the surface: where there is noise, always, never"),
+    option("outliers", &JetSettings::outliers, "auto", "auto|distance|off",
+           {OutlierRule::local, OutlierRule::distance, OutlierRule::off},
+           "drop outliers: by the planes around them, by distance from the 8th neighbour alone, none"));
 
 /// Tangent planes by 2-jets (Cazals and Pouget, *Estimating differential quantities using polynomial fitting of
 /// osculating jets*, 2005): a quadric is fitted over the least-squares plane of a point and its k nearest neighbours;
@@ -25,17 +35,13 @@ inline constexpr OptionSpec jet_options[] = {
 /// back for being at one place), "smoothing_neighbours", "outliers", "grown_neighbourhoods".
 class JetTangents final : public TangentEstimator {
  public:
-  explicit JetTangents(const OptionValues& options);
+  explicit JetTangents(const OptionValues& options) : settings_(jet_options.parsed(options)) {}
 
   /// O(n (log n + k)). Throws SampleError for fewer than three points and for points on a line.
   Tangents estimate(const PointSample& sample, RunContext& context) const override;
 
  private:
-  enum class Smooth { automatic, on, off };
-
-  std::size_t k_;
-  Smooth smooth_;
-  OutlierRule outliers_;
+  JetSettings settings_;
 };
 
 }  // namespace geodrome

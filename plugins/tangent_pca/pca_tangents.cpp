@@ -18,7 +18,7 @@ Tangents PcaTangents::estimate(const PointSample& sample, RunContext& context) c
     std::vector<Neighbour> around;
     for (std::size_t k = begin; k < end; ++k) {
       const Index i = order[k];
-      const LocalPlane plane = grown_plane(neighbours, i, k_, around);
+      const LocalPlane plane = grown_plane(neighbours, i, settings_.k, around);
       if (plane.collinear()) throw_collinear(i, sample.size());
       tangents.plane[i] = {sample.points[i], plane.normal, plane.residual};
     }

@@ -74,6 +74,7 @@ struct PluginDescriptor {
 /// The smallest descriptor of an accepted version: all that stands before `extension`.
 inline constexpr std::size_t smallest_descriptor = offsetof(PluginDescriptor, extension);
 
+/// The type of the entry.
 using PluginEntry = const PluginDescriptor* (*)();
 
 }  // namespace geodrome

@@ -33,9 +33,11 @@ enum class Needs : std::uint64_t {
   closed = 4,    ///< SurfaceMesh::closed
 };
 
+/// A set of bits of one of the two kinds; they do not mix.
 template <class Set>
 concept Capabilities = std::same_as<Set, Provides> || std::same_as<Set, Needs>;
 
+/// Union, intersection, complement. O(1), as all functions on sets.
 template <Capabilities Set>
 constexpr Set operator|(Set a, Set b) {
   return Set{static_cast<std::uint64_t>(a) | static_cast<std::uint64_t>(b)};
@@ -66,7 +68,7 @@ struct CapabilityWord {
   const char* word;
 };
 
-/// The bits that this version knows, in their order. The one list of them beside the enumerations.
+/// The bits that this version knows, in their order. These are the only lists of them beside the enumerations.
 inline constexpr CapabilityWord<Provides> provides_words[] = {
     {Provides::start_distances, "start_distances"},
     {Provides::face_sources, "face_sources"},
@@ -83,6 +85,7 @@ inline constexpr CapabilityWord<Provides> provides_words[] = {
 inline constexpr CapabilityWord<Needs> needs_words[] = {
     {Needs::manifold, "manifold"}, {Needs::oriented, "oriented"}, {Needs::closed, "closed"}};
 
+/// The list of the kind of `Set`.
 template <Capabilities Set>
 constexpr const auto& known_words() {
   if constexpr (std::same_as<Set, Provides>)

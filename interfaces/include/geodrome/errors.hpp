@@ -29,8 +29,8 @@ class GEODROME_VISIBLE Error : public std::runtime_error {
   }
 
   const char* what() const noexcept override { return text_.c_str(); }
-  /// What kind of error this is, for programs: "input.truncated", "option", "capability", "sample", "refused", "plugin",
-  /// "numerical", "cancelled".
+  /// What kind of error this is, for programs: "input.truncated", "option", "capability", "sample", "refused",
+  /// "plugin", "numerical", "cancelled".
   virtual std::string_view code() const noexcept { return "error"; }
   const std::string& message() const noexcept { return message_; }
   /// The remedy in the words of the library; empty if there is none.
@@ -56,17 +56,28 @@ class GEODROME_VISIBLE Error : public std::runtime_error {
 };
 
 /// What is wrong with an input; `name` gives the word that messages and reports use.
-enum class InputFault { io, empty, syntax, truncated, index, nonfinite, range, unsupported, degenerate, nonmanifold };
+enum class InputFault {
+  io,           ///< a file cannot be opened, read or written
+  empty,        ///< there is nothing in it, or no point and no face
+  syntax,       ///< it does not follow its format
+  truncated,    ///< it ends before what it announced
+  index,        ///< an index names a point, vertex or face that is not there, or counts do not match
+  nonfinite,    ///< a number is infinite or none
+  range,        ///< a number is too large, too small or of the wrong sign: a coordinate beyond 1e100, a weight of 0
+  unsupported,  ///< it follows its format, but this part of the format is not read
+  degenerate,   ///< there is no geometry in it: a face that repeats a vertex, all points at one place
+  nonmanifold   ///< the surface is no 2-manifold, and nothing else would do
+};
 
 /// "input.io" and so on: `Error::code` of an InputError.
 constexpr std::string_view code(InputFault fault) {
-  constexpr std::string_view codes[] = {"input.io",        "input.empty", "input.syntax",
-                                        "input.truncated", "input.index", "input.nonfinite",
-                                        "input.range",     "input.unsupported", "input.degenerate",
-                                        "input.nonmanifold"};
+  constexpr std::string_view codes[] = {"input.io",         "input.empty",      "input.syntax", "input.truncated",
+                                        "input.index",      "input.nonfinite",  "input.range",  "input.unsupported",
+                                        "input.degenerate", "input.nonmanifold"};
   return codes[static_cast<std::size_t>(fault)];
 }
 
+/// The word for a fault in messages: "io" and so on.
 constexpr std::string_view name(InputFault fault) { return code(fault).substr(6); }
 
 /// The input cannot be read or cannot be used. The message names file and element.

@@ -12,6 +12,7 @@ namespace geodrome {
 
 /// Something a stage or the input check noticed. Findings never change the data: what was changed is told by one.
 struct Finding {
+  /// A note is worth knowing, a warning puts the result in doubt, a refusal is why there is none.
   enum class Severity { note, warning, refusal };
 
   Severity severity = Severity::note;

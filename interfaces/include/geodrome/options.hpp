@@ -7,42 +7,15 @@
 #include <limits>
 #include <map>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "geodrome/errors.hpp"
+#include "geodrome/option_spec.hpp"
 
 namespace geodrome {
-
-enum class OptionType : std::uint32_t { boolean, integer, number, choice };
-
-/// One option of a plugin, declared once: help, validation, `plugins show` and the run report derive from it.
-/// Plain data, since it is read across the border to a plugin that may turn out to be incompatible.
-struct OptionSpec {
-  const char* name;
-  OptionType type;
-  const char* default_value;  ///< as a user would write it
-  double minimum, maximum;    ///< both allowed; integer and number only
-  const char* choices;        ///< "on|off"; choice only
-  const char* unit;           ///< "" where there is none
-  const char* help;
-};
-
-constexpr OptionSpec boolean_option(const char* name, const char* default_value, const char* help) {
-  return {name, OptionType::boolean, default_value, 0, 0, "on|off", "", help};
-}
-constexpr OptionSpec integer_option(const char* name, const char* default_value, double minimum, double maximum,
-                                    const char* unit, const char* help) {
-  return {name, OptionType::integer, default_value, minimum, maximum, "", unit, help};
-}
-constexpr OptionSpec number_option(const char* name, const char* default_value, double minimum, double maximum,
-                                   const char* unit, const char* help) {
-  return {name, OptionType::number, default_value, minimum, maximum, "", unit, help};
-}
-constexpr OptionSpec choice_option(const char* name, const char* default_value, const char* choices, const char* help) {
-  return {name, OptionType::choice, default_value, 0, 0, choices, "", help};
-}
 
 /// The checked values of a plugin's options. Immutable after construction; safe to share.
 class OptionValues {
@@ -69,12 +42,30 @@ class OptionValues {
     }
   }
 
-  bool boolean(std::string_view name) const { return text(name) == "on"; }
-  std::int64_t integer(std::string_view name) const { return static_cast<std::int64_t>(number(name)); }
-  double number(std::string_view name) const { return parse(text(name)); }
+  /// Whether an option is on. Throws std::invalid_argument if it is neither on nor off. All four accessors throw
+  /// std::out_of_range for a name that the plugin did not declare; both are errors in the plugin.
+  bool boolean(std::string_view name) const {
+    const std::string& value = text(name);
+    if (choice_index("on|off", value) == no_choice) throw wrong_type(name, "neither on nor off");
+    return value == "on";
+  }
 
-  /// The value as text: the choice, or the number as the user wrote it. Throws std::out_of_range for a name that the
-  /// plugin did not declare, which is an error in the plugin.
+  /// A whole number, exact up to 2^53. Of an option that was declared as a number its value is cut towards zero. Throws
+  /// std::invalid_argument for a word and for what does not fit the type.
+  std::int64_t integer(std::string_view name) const {
+    const double value = number(name);
+    if (!(std::abs(value) < 9e18)) throw wrong_type(name, "no whole number");
+    return static_cast<std::int64_t>(value);
+  }
+
+  /// A number, also of an option that was declared as an integer. Throws std::invalid_argument for a word.
+  double number(std::string_view name) const {
+    const double value = parse(text(name));
+    if (std::isnan(value)) throw wrong_type(name, "no number");
+    return value;
+  }
+
+  /// The value as text, whatever the type: the choice, or the number as the user wrote it.
   const std::string& text(std::string_view name) const {
     const auto found = values_.find(name);
     if (found == values_.end()) throw std::out_of_range("option '" + std::string(name) + "' was never declared");
@@ -109,16 +100,14 @@ class OptionValues {
     return error == std::errc() && end == text.data() + text.size() ? value : std::numeric_limits<double>::quiet_NaN();
   }
 
-  static bool is_choice(std::string_view choices, const std::string& value) {
-    std::string all = "|";
-    all.append(choices).append("|");
-    return value.find('|') == std::string::npos && all.find("|" + value + "|") != std::string::npos;
+  std::invalid_argument wrong_type(std::string_view name, const char* what) const {
+    return std::invalid_argument("option '" + std::string(name) + "': '" + text(name) + "' is " + what);
   }
 
   static void check(const OptionSpec& spec, const std::string& value) {
     const std::string what = "option '" + std::string(spec.name) + "': '" + value + "' is not ";
     if (spec.type == OptionType::boolean || spec.type == OptionType::choice) {
-      if (!is_choice(spec.choices, value)) throw OptionError(what + "one of " + spec.choices);
+      if (choice_index(spec.choices, value) == no_choice) throw OptionError(what + "one of " + spec.choices);
       return;
     }
     const double number = parse(value);

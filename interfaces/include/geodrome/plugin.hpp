@@ -11,13 +11,16 @@
 #include "geodrome/abi.hpp"
 #include "geodrome/control_function.hpp"
 #include "geodrome/decimator.hpp"
+#include "geodrome/settings.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/surface_reconstructor.hpp"
 #include "geodrome/tangent_estimator.hpp"
 
 namespace geodrome {
 
+/// `PluginTraits::factor` of a solver whose distances are exact up to rounding, whatever its options.
 inline double exact_factor(const OptionValues*) noexcept { return 1; }
+/// `PluginTraits::factor` of a solver that guarantees nothing, and of the plugins of all other stages.
 inline double no_factor(const OptionValues*) noexcept { return std::numeric_limits<double>::infinity(); }
 
 /// What an author says of a plugin; the stage follows from the class.

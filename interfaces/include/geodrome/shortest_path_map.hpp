@@ -50,6 +50,8 @@ class GEODROME_VISIBLE ShortestPathMap {
   /// Empty if the point was not reached. Needs Keep::map.
   virtual void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const = 0;
 
+  /// What the search counted, for the run report. Names are snake case: a-z, 0-9 and _, from a letter; each is there
+  /// once.
   virtual std::span<const Counter> counters() const = 0;
 };
 

@@ -27,6 +27,7 @@ enum class Keep : std::uint8_t {
   map       ///< any point, and paths
 };
 
+/// What is wanted of a search. A solver refuses, with a CapabilityError, what it does not state to provide.
 struct Request {
   double radius = std::numeric_limits<double>::infinity();  ///< distances above it are not wanted
   std::span<const SurfacePoint> targets;                    ///< points beside the vertices; must outlive the run
@@ -67,8 +68,9 @@ class GEODROME_VISIBLE PairOracle {
 class GEODROME_VISIBLE PreparedSurface {
  public:
   virtual ~PreparedSurface() = default;
+  /// A new search, which shares this surface and nothing else: searches run on different threads at once. Thread-safe.
   virtual std::unique_ptr<Search> make_search() const = 0;
-  /// Memory held beyond the mesh, in bytes.
+  /// Memory held beyond the mesh, in bytes. Thread-safe.
   virtual std::size_t bytes() const = 0;
   /// Builds the oracle (`saved` null), or reads one that `PairOracle::save` wrote: from the stream's place, forward
   /// only, to its end. The engine has checked that this was saved by this plugin with these options for this mesh and
@@ -85,11 +87,14 @@ class GEODROME_VISIBLE ShortestPathSolver {
   static constexpr const char* stage = "solver";
   virtual ~ShortestPathSolver() = default;
 
-  /// The engine has checked the descriptor's `needs` against the mesh. Thread-safe.
+  /// Makes a mesh ready for searches. The engine has checked the descriptor's `needs` against the mesh. Throws
+  /// CapabilityError for a mesh that it cannot work on, InputError for one without geometry, RefusedError for what
+  /// would need too much memory, Cancelled. Thread-safe.
   virtual std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const = 0;
 };
 
-/// The distances of all vertices from one source: the short way for a single question.
+/// The distances of all vertices from one source, in the units of the mesh, +inf where not reached: the short way for a
+/// single question. Throws what `prepare` and `Search::run` throw. Who asks more than once keeps the prepared surface.
 inline std::vector<double> distances(const ShortestPathSolver& solver, MeshPtr mesh, const SurfacePoint& source) {
   QuietContext context;
   const auto prepared = solver.prepare(std::move(mesh), context);

@@ -39,10 +39,12 @@ class SurfaceMesh {
     connectivity_ = detail::connect(triangles_, positions_.size());
   }
 
+  /// The accessors below are O(1) and, as all members, thread-safe. What they point into lives as long as the mesh.
   std::size_t vertex_count() const noexcept { return positions_.size(); }
   std::size_t face_count() const noexcept { return triangles_.size(); }
   std::span<const Vec3> positions() const noexcept { return positions_; }
   std::span<const Triangle> triangles() const noexcept { return triangles_; }
+  /// The cost of a unit of length, per face; empty if it is 1 everywhere.
   std::span<const double> face_weights() const noexcept { return face_weights_; }
 
   /// The half-edge on the other side of the edge, per half-edge; no_index on the boundary. On an unoriented surface
@@ -59,6 +61,7 @@ class SurfaceMesh {
   /// The lowest half-edge that starts at a vertex; no_index if no face uses the vertex.
   Index first_half_edge(Index vertex) const { return connectivity_.first_half_edge[vertex]; }
 
+  /// The face of a half-edge, the half-edges behind and before it in that face, the vertices where it starts and ends.
   static constexpr Index face(Index half_edge) { return half_edge / 3; }
   static constexpr Index next(Index half_edge) { return half_edge % 3 == 2 ? half_edge - 2 : half_edge + 1; }
   static constexpr Index previous(Index half_edge) { return half_edge % 3 == 0 ? half_edge + 2 : half_edge - 1; }
@@ -126,6 +129,7 @@ class SurfaceMesh {
   detail::Connectivity connectivity_;
 };
 
+/// How meshes are handed over: shared, never changed, kept alive by whoever holds one.
 using MeshPtr = std::shared_ptr<const SurfaceMesh>;
 
 }  // namespace geodrome

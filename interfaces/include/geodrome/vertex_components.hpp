@@ -19,6 +19,7 @@ inline std::vector<Index> vertex_components(std::span<const Triangle> triangles,
   return component;
 }
 
+/// The components of all vertices of a mesh, as above. O(F).
 inline std::vector<Index> vertex_components(const SurfaceMesh& mesh) {
   return vertex_components(mesh.triangles(), mesh.vertex_count());
 }

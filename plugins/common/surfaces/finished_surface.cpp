@@ -89,10 +89,6 @@ void judge(Reconstruction& result, BoundaryRule rule) {
 
 }  // namespace
 
-BoundaryRule boundary_rule(const std::string& word) {
-  return word == "closed" ? BoundaryRule::closed : word == "open" ? BoundaryRule::open : BoundaryRule::automatic;
-}
-
 Finding finding(Finding::Severity severity, const char* code, std::string message, std::size_t count,
                 std::vector<Index> places) {
   places.resize(std::min(places.size(), shown));

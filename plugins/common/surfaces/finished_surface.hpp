@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "geodrome/settings.hpp"
 #include "geodrome/surface_reconstructor.hpp"
 
 namespace geodrome {
@@ -10,8 +11,13 @@ namespace geodrome {
 /// Whether a surface may have a boundary: automatic where the sample shows one, never, or as expected.
 enum class BoundaryRule { automatic, closed, open };
 
-/// The rule of an option's value "auto", "closed" or "open".
-BoundaryRule boundary_rule(const std::string& word);
+/// The option `boundary` of a reconstructor, bound to a member; `help` says what "auto", "closed" and "open" mean
+/// there.
+template <class Settings>
+consteval auto boundary_option(BoundaryRule Settings::*member, const char* help) {
+  return option("boundary", member, "auto", "auto|closed|open",
+                {BoundaryRule::automatic, BoundaryRule::closed, BoundaryRule::open}, help);
+}
 
 /// A finding about sample points, with the first few of `places` as elements.
 Finding finding(Finding::Severity severity, const char* code, std::string message, std::size_t count,

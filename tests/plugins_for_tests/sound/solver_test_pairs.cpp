@@ -15,19 +15,20 @@ using namespace geodrome;
 
 constexpr std::uint32_t payload_format = 1;
 
-constexpr OptionSpec options[] = {
-    number_option("stretch", "1", 1, 9, "", "distances are so many times too long: the factor"),
-    integer_option("rounds", "1", 1, 9, "", "changes nothing"),
-    choice_option("fault", "none",
-                  "none|no_oracle|nan|negative|short|everywhere_inf|never_inf|away_from_itself|throws|save_throws",
-                  "what is wrong with the oracle")};
-
-double factor(const OptionValues* values) noexcept { return values->number("stretch"); }
-
 struct Settings {
   double stretch = 1;
+  int rounds = 1;
   std::string fault;
 };
+
+constexpr auto options = settings_table(
+    option("stretch", &Settings::stretch, "1", 1, 9, "", "distances are so many times too long: the factor"),
+    option("rounds", &Settings::rounds, "1", 1, 9, "", "changes nothing"),
+    option("fault", &Settings::fault, "none",
+           "none|no_oracle|nan|negative|short|everywhere_inf|never_inf|away_from_itself|throws|save_throws",
+           "what is wrong with the oracle"));
+
+double factor(const OptionValues* values) noexcept { return options.parsed(*values).stretch; }
 
 class Oracle final : public PairOracle {
  public:
@@ -121,7 +122,7 @@ class Surface final : public PreparedSurface {
 
 class Solver : public ShortestPathSolver {
  public:
-  explicit Solver(const OptionValues& values) : settings_{values.number("stretch"), values.text("fault")} {}
+  explicit Solver(const OptionValues& values) : settings_(options.parsed(values)) {}
 
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override {
     return std::make_unique<Surface>(mesh, exact_.prepare(mesh, context), settings_);

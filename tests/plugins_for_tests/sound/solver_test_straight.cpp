@@ -4,19 +4,26 @@
 
 namespace {
 
-constexpr geodrome::OptionSpec options[] = {
-    geodrome::integer_option("rounds", "1", 1, 9, "", "changes nothing"),
-    geodrome::number_option("slack", "0.5", 0, std::numeric_limits<double>::infinity(), "input units",
-                            "sets the factor"),
-    geodrome::choice_option("mood", "calm", "calm|wild", "changes nothing"),
-    geodrome::boolean_option("loud", "off", "changes nothing")};
+struct Settings {
+  int rounds;
+  double slack;
+  std::string mood;
+  bool loud;
+};
 
-double factor(const geodrome::OptionValues* values) noexcept { return 1 + values->number("slack"); }
+constexpr auto options = geodrome::settings_table(
+    geodrome::option("rounds", &Settings::rounds, "1", 1, 9, "", "changes nothing"),
+    geodrome::option("slack", &Settings::slack, "0.5", 0, std::numeric_limits<double>::infinity(), "input units",
+                     "sets the factor"),
+    geodrome::option("mood", &Settings::mood, "calm", "calm|wild", "changes nothing"),
+    geodrome::option("loud", &Settings::loud, "off", "changes nothing"));
+
+double factor(const geodrome::OptionValues* values) noexcept { return 1 + options.parsed(*values).slack; }
 
 class Solver : public geodrome::bad::StraightSolver<> {
  public:
   explicit Solver(const geodrome::OptionValues& values) {
-    if (values.integer("rounds") == 7) throw geodrome::OptionError("7 rounds are too many", "take another number");
+    if (options.parsed(values).rounds == 7) throw geodrome::OptionError("7 rounds are too many", "take another number");
   }
 };
 
