@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 
 plugins=(
   tangent_jet control_lipschitz decimator_greedy reconstructor_delaunay_cut solver_chen_han
-  tangent_pca control_constant decimator_none solver_edge_dijkstra
+  tangent_pca control_constant decimator_none solver_cgal solver_edge_dijkstra
 )
 tools/setup/dependencies.sh main
 cmake --preset release -DCMAKE_CXX_COMPILER_LAUNCHER=ccache -DGEODROME_PLUGINS="$(IFS=';'; echo "${plugins[*]}")" \
