@@ -13,8 +13,6 @@
 namespace geodrome {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// A violation that is not a number is the worst one.
 double worst_if_nan(double violation) { return std::isnan(violation) ? infinity : violation; }
 

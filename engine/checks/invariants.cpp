@@ -12,8 +12,6 @@
 namespace geodrome {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Draws below `bound` from the generator's own bits, the same with every standard library. The bias is below
 /// bound / 2^64.
 std::uint64_t draw(std::mt19937_64& random, std::uint64_t bound) { return random() % bound; }

@@ -10,7 +10,6 @@ namespace geodrome {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
 bool is_no_vertex(const NamedPoint& query) {

@@ -2,7 +2,6 @@
 #include "engine/search/relocation.hpp"
 
 #include <algorithm>
-#include <limits>
 
 #include "interfaces/internal/closest_point_tree.hpp"
 
@@ -47,7 +46,6 @@ class Box {
 
  private:
   static double beyond(double x, double low, double high) { return std::max({low - x, x - high, 0.0}); }
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec3 low_{infinity, infinity, infinity}, high_{-infinity, -infinity, -infinity};
 };
 

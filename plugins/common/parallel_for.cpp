@@ -12,7 +12,7 @@
 namespace geodrome {
 namespace {
 
-/// Small enough to share the work evenly, large enough that taking a chunk costs nothing.
+/// Is small enough to share the work evenly, and large enough that taking a chunk costs nothing.
 constexpr std::size_t chunk_size = 512;
 
 class Loop {
@@ -21,8 +21,8 @@ class Loop {
        const std::function<void(std::size_t, std::size_t)>& body)
       : count_(count), context_(context), share_(share), body_(body) {}
 
-  // Chunks are taken in ascending order, and those taken are finished: so all chunks below a failed one were run, and
-  // the lowest failure is the same for any number of threads.
+  // Chunks are taken in ascending order, and a chunk that was taken is finished. So all chunks below a failed one were
+  // run, and the lowest failure is the same for any number of threads.
   void work(bool reports_progress) noexcept {
     while (!stop_) {
       const std::size_t begin = next_.fetch_add(chunk_size);

@@ -10,14 +10,20 @@
 
 namespace geodrome {
 
-/// CGAL's failures become NumericalErrors.
+/// Makes CGAL throw where it would abort. Once for the whole plugin, so that threads do not write it while others read.
+inline void let_cgal_throw() {
+  static const CGAL::Failure_behaviour before = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  static_cast<void>(before);
+}
+
+/// Calls a function that uses CGAL. CGAL's failures become NumericalErrors with this remedy; other errors pass.
 template <class Function>
-auto guarded(Function&& function) {
-  CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+decltype(auto) guarded(Function&& function, const char* remedy = "choose another plugin for this stage") {
+  let_cgal_throw();
   try {
     return function();
   } catch (const CGAL::Failure_exception& failure) {
-    throw NumericalError(std::string("CGAL failed: ") + failure.what(), "choose another plugin for this stage");
+    throw NumericalError(std::string("CGAL failed: ") + failure.what(), remedy);
   }
 }
 

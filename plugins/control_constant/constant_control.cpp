@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "geodrome/spatial_order.hpp"
 #include "plugins/common/parallel_for.hpp"
 #include "plugins/common/points/live_points.hpp"
 #include "plugins/common/points/neighbours.hpp"
 #include "plugins/common/points/noise_floor.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 namespace {

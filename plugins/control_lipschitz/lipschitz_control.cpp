@@ -5,11 +5,11 @@
 #include <cmath>
 #include <limits>
 
+#include "geodrome/spatial_order.hpp"
 #include "plugins/common/parallel_for.hpp"
 #include "plugins/common/points/cell_radius.hpp"
 #include "plugins/common/points/live_points.hpp"
 #include "plugins/common/points/maximum_tree.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 namespace {
@@ -34,7 +34,7 @@ std::vector<CellRadius> cell_radii(const Neighbours& neighbours, const std::vect
 /// The largest phi that each point is allowed.
 std::vector<double> caps(const Neighbours& neighbours, const std::vector<Index>& order,
                          const std::vector<CellRadius>& cells, RunContext& context) {
-  std::vector<double> limit(cells.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> limit(cells.size(), infinity);
   if (cells.size() < 2) return limit;
   parallel_for(cells.size(), context, {0.6, 0.8}, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> around;
@@ -63,7 +63,7 @@ std::vector<double> envelope(const std::vector<Vec3>& points, const std::vector<
   const double rounding = 1e-12 * *std::max_element(weights.begin(), weights.end());
   std::vector<double> psi(points.size());
   parallel_for(points.size(), context, {0.8, 1}, [&](std::size_t begin, std::size_t end) {
-    double at_least = -std::numeric_limits<double>::infinity();
+    double at_least = -infinity;
     for (std::size_t k = begin; k < end; ++k) {
       const Vec3& p = points[order[k]];
       psi[order[k]] = tree.evaluate(p, at_least);

@@ -7,8 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "geodrome/spatial_order.hpp"
 #include "plugins/common/points/cell_radius.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 #include "plugins/common/surfaces/face_deletion.hpp"
 #include "plugins/common_gpl/planar_triangles.hpp"
 #include "plugins/reconstructor_delaunay_cut/orient_normals.hpp"

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -12,7 +11,7 @@
 namespace geodrome {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::infinity();
+constexpr double none = infinity;
 
 /// Centre of the sphere through the corners; not finite for a cell that is flat.
 Vec3 circumcentre(const Tetrahedra::Cell& cell, std::span<const Vec3> points) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include "geodrome/settings.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "plugins/solver_aleksandrov/discretization.hpp"
@@ -12,7 +14,7 @@ namespace geodrome {
 ///
 /// Any mesh: open, non-manifold, unoriented, with faces without area. O(F log(1 / delta) / delta^0.5) nodes,
 /// O(F log^2(1 / delta) / delta) edges, which are compared but not stored; a run costs what it reaches.
-class AleksandrovSolver final : public ShortestPathSolver {
+class AleksandrovSolver : public ShortestPathSolver {
  public:
   static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
                                        Provides::target_limit | Provides::any_point | Provides::paths |
@@ -31,7 +33,8 @@ class AleksandrovSolver final : public ShortestPathSolver {
       option("unguaranteed_thinning", &Settings::thinning, "1", 1, 100, "",
              "steps between Steiner points so many times as long: faster, and NO guarantee above 1"));
 
-  explicit AleksandrovSolver(const OptionValues& values) : settings_(options.parsed(values)) {}
+  /// `exact` answers the pairs that the index of pair queries leaves open: any exact solver for any mesh.
+  AleksandrovSolver(const OptionValues& values, std::shared_ptr<const ShortestPathSolver> exact);
 
   /// 1 + delta, or no factor with thinning.
   static double factor(const OptionValues* values) noexcept;
@@ -41,6 +44,7 @@ class AleksandrovSolver final : public ShortestPathSolver {
 
  private:
   Settings settings_;
+  std::shared_ptr<const ShortestPathSolver> exact_;
 };
 
 }  // namespace geodrome

@@ -3,7 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "geodrome/geometry.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 /// the edge is no cheaper than going beside it.
 double critical_offset(double height, double weight, double along) {
   if (height == 0) return 0;
-  if (along >= weight) return std::numeric_limits<double>::infinity();
+  if (along >= weight) return infinity;
   const double sine = along / weight;  // 1 - sine by the difference, which is exact where it is small
   return height * sine / std::sqrt((weight - along) / weight * (1 + sine));
 }

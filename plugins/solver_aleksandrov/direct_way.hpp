@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "plugins/solver_aleksandrov/steiner_graph.hpp"
@@ -15,7 +14,7 @@ struct DirectWay {
     Index h, g;
     double x;
   };
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = infinity;
   std::vector<Crossing> crossings;
 };
 

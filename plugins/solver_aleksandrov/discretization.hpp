@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "plugins/common/mesh/packed_mesh.hpp"
 #include "geodrome/run_context.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/solver_aleksandrov/intrinsic/triangulation.hpp"
 #include "plugins/solver_aleksandrov/steiner_graph.hpp"
 

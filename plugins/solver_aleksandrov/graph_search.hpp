@@ -3,11 +3,10 @@
 
 #include <boost/graph/breadth_first_search.hpp>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "plugins/common/mesh/indexed_heap.hpp"
 #include "geodrome/run_context.hpp"
+#include "geodrome/solver_kit/indexed_heap.hpp"
 #include "plugins/solver_aleksandrov/steiner_graph.hpp"
 
 namespace geodrome::aleksandrov {
@@ -15,10 +14,7 @@ namespace geodrome::aleksandrov {
 /// The shortest ways found so far to the nodes of a Steiner graph. Forgetting costs what was reached.
 class NodeLabels {
  public:
-  explicit NodeLabels(Index nodes)
-      : distance_(nodes, std::numeric_limits<double>::infinity()),
-        source_(nodes, no_index),
-        previous_(nodes, no_index) {}
+  explicit NodeLabels(Index nodes) : distance_(nodes, infinity), source_(nodes, no_index), previous_(nodes, no_index) {}
 
   double distance(Index node) const { return distance_[node]; }  ///< infinity where there is none
   const double* distances() const { return distance_.data(); }
@@ -36,7 +32,7 @@ class NodeLabels {
   }
   void clear() {
     for (const Index node : touched_) {
-      distance_[node] = std::numeric_limits<double>::infinity();
+      distance_[node] = infinity;
       source_[node] = previous_[node] = no_index;
     }
     touched_.clear();

@@ -177,7 +177,7 @@ SurfacePoint Propagation::trace_nodes(Index node, TracedPath& path) const {
   for (Index next = labels.previous(node); next != no_index; node = next, next = labels.previous(node))
     path.between_nodes(node, next);
   const Start* nearest = nullptr;
-  double best = std::numeric_limits<double>::infinity();
+  double best = infinity;
   for (const Start& start : starts_) {
     if (start.source != labels.source(node)) continue;
     const double distance = start.distance + path.length_to_node(start.at, node);

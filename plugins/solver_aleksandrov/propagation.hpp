@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <memory>
 #include <vector>
 
-#include "plugins/common/mesh/labels.hpp"
-#include "plugins/common/exact/watched_target.hpp"
 #include "geodrome/shortest_path_solver.hpp"
+#include "plugins/common/exact/watched_target.hpp"
+#include "plugins/common/mesh/labels.hpp"
 #include "plugins/solver_aleksandrov/direct_way.hpp"
 #include "plugins/solver_aleksandrov/discretization.hpp"
 #include "plugins/solver_aleksandrov/graph_search.hpp"
@@ -17,8 +16,8 @@
 
 namespace geodrome::aleksandrov {
 
-/// A search over the Steiner graph from any places of a surface, in the form that PropagationSearch asks for. All distances
-/// are those of the flat surface. Used again and again: a run costs what it reaches.
+/// A search over the Steiner graph from any places of a surface, in the form that PropagationSearch asks for. All
+/// distances are those of the flat surface. Used again and again: a run costs what it reaches.
 class Propagation {
  public:
   using Settings = std::shared_ptr<const Discretization>;
@@ -26,7 +25,7 @@ class Propagation {
 
   /// The shortest way to a place: from a node, or straight from a start, or one around a source vertex made smaller.
   struct Way {
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = infinity;
     Index source = no_index;
     Index node = no_index, start = no_index;
     SurfacePoint at;    ///< the place, in a face of the graph's triangulation; where the way is made smaller, its end

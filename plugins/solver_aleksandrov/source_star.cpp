@@ -2,12 +2,11 @@
 #include "plugins/solver_aleksandrov/source_star.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace geodrome::aleksandrov {
 
 SourceStar source_star(const SteinerGraph& graph, Index vertex) {
-  double width = std::numeric_limits<double>::infinity(), lightest = width;
+  double width = infinity, lightest = width;
   for (const Index h : graph.corners_at(vertex)) {
     const auto& next = graph.corner(SurfaceMesh::next(h));
     width = std::min(width, graph.corner(h).length * 2 * next.cosine * next.sine);

@@ -28,12 +28,10 @@ HalfAngle half_angle(const IntrinsicTriangulation::Face& face, int i) {
 
 SteinerPlacement::SteinerPlacement(const IntrinsicTriangulation& triangulation, Placement placement, double delta,
                                    double thinning)
-    : t_(triangulation),
-      placement_(placement),
-      radius_(triangulation.vertex_count(), std::numeric_limits<double>::infinity()) {
+    : t_(triangulation), placement_(placement), radius_(triangulation.vertex_count(), infinity) {
   if (placement == Placement::published) delta = std::min(delta, published_limit);
   const double share = (placement == Placement::thin ? thin_share : published_share) * delta;
-  std::vector<double> lightest(radius_.size(), std::numeric_limits<double>::infinity()), heaviest(radius_.size(), 0);
+  std::vector<double> lightest(radius_.size(), infinity), heaviest(radius_.size(), 0);
   for (Index f = 0; f < t_.face_count(); ++f)
     for (int i = 0; i < 3; ++i) {
       const Index v = t_.face(f).vertex[i];

@@ -41,7 +41,7 @@ bool holds(const PackedMesh& surface, Index face, const SurfacePoint& point) {
 /// A straight way from a place, p in the frame of half-edge h, to a node: within the face, or through the edge of h and
 /// out of that of g.
 struct TracedPath::Link {
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = infinity;
   Index h = no_index, g = no_index;
   Point2 p;
   Barycentric end{};  ///< of the node, in the face of g or else of h

@@ -13,8 +13,9 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "plugins/common/requests/request_checks.hpp"
-#include "plugins/common/requests/source_components.hpp"
+#include "geodrome/solver_kit/kept_search.hpp"
+#include "geodrome/vertex_components.hpp"
+#include "plugins/common_gpl/guarded.hpp"
 #include "plugins/solver_cgal/cgal_surface.hpp"
 
 namespace geodrome {
@@ -33,15 +34,11 @@ constexpr double just_inside = std::numeric_limits<double>::min();
 /// grows with it), and at most, relative to the way to a corner.
 constexpr double beside = 32 * std::numeric_limits<double>::epsilon(), most_beside = 1e-9;
 
-/// CGAL's failures, whatever they are, as a NumericalError; ours pass.
+/// Calls a function that uses CGAL, whose failures become NumericalErrors.
 template <class Function>
-decltype(auto) guarded(Function&& function) {
-  try {
-    return function();
-  } catch (const CGAL::Failure_exception& failure) {
-    throw NumericalError(std::string("CGAL failed: ") + failure.what(),
-                         "check the mesh for needle faces and faces without area, or choose another solver");
-  }
+decltype(auto) ask_cgal(Function&& function) {
+  return geodrome::guarded(std::forward<Function>(function),
+                           "check the mesh for needle faces and faces without area, or choose another solver");
 }
 
 struct Prepared {
@@ -86,58 +83,56 @@ struct PathCollector {
   }
 };
 
-class CgalSearch final : public Search, private ShortestPathMap {
+class CgalSearch final : public KeptSearch {
  public:
   explicit CgalSearch(std::shared_ptr<const Prepared> prepared)
-      : prepared_(std::move(prepared)), distances_(prepared_->mesh->vertex_count()), at_vertex_(distances_.size()) {
+      : KeptSearch(*prepared->mesh, prepared->component),
+        prepared_(std::move(prepared)),
+        distances_(prepared_->mesh->vertex_count()),
+        at_vertex_(distances_.size()) {
     reset();
   }
 
-  const ShortestPathMap& run(std::span<const Source> sources, const Request& request, RunContext& context) override {
-    check(sources, request);
-    context.throw_if_cancelled();
-    sources_.assign(sources.begin(), sources.end());
-    radius_ = request.radius;
-    keep_ = request.keep;
-    with_source_.assign(mesh(), prepared_->component, sources_);
+ private:
+  std::span<const double> vertices() const override { return distances_; }
+  std::span<const Counter> counters() const override { return {}; }
+
+  void refuse(std::span<const Source> sources, const Request& request) const override {
+    for (const Source& source : sources)
+      if (source.start != 0) throw CapabilityError("sources with a start distance are not supported");
+    if (request.stop_at_targets) throw CapabilityError("stopping at targets is not supported");
+  }
+
+  void search(const Request&, RunContext& context) override {
     build(context);
     for (Index v = 0; v < distances_.size(); ++v) {
       at_vertex_[v] = on_vertex(v);
       distances_[v] = at_vertex_[v].value;
     }
-    kept_.assign(request.targets, [this](const SurfacePoint& target) { return distance_at(target); });
-    if (keep_ == Keep::targets) reset();
-    return *this;
   }
 
-  std::span<const double> vertices() const override { return distances_; }
-  std::span<const Counter> counters() const override { return {}; }
-
-  Distance at(const SurfacePoint& point) const override {
-    require_on_surface(mesh(), point, "the point");
-    if (keep_ == Keep::map || mesh().vertex_at(point) != no_index) return distance_at(point);
-    return kept_.at(point);
+  void finish() override {
+    if (keep() == Keep::targets) reset();
   }
 
-  void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const override {
-    require_on_surface(mesh(), point, "the point");
-    require_paths(keep_);
-    out.clear();
-    const Distance distance = at(point);
-    if (distance.reach != Reach::reached) return;
+  Distance distance_at(const SurfacePoint& point) const override {
+    const Index vertex = mesh().vertex_at(point);
+    return vertex != no_index ? at_vertex_[vertex] : inside(point);
+  }
+
+  void trace(const SurfacePoint& point, const Distance& distance, std::vector<SurfacePoint>& out) const override {
     PathCollector collector{mesh(), prepared_->copy, out};
     const Index vertex = mesh().vertex_at(point);
     const auto [face, b] = location_of(vertex != no_index ? point : best_near(point).asked);
-    guarded([&] {
+    ask_cgal([&] {
       return vertex != no_index ? paths_->shortest_path_sequence_to_source_points(Mesh::Vertex_index(vertex), collector)
                                 : paths_->shortest_path_sequence_to_source_points(face, b, collector);
     });
     out.front() = point;
-    out.back() = sources_[distance.source].at;
+    out.back() = sources()[distance.source].at;
     require_length(out, distance.value);
   }
 
- private:
   /// CGAL traces wrong ways through faces without area that lie in a row.
   void require_length(const std::vector<SurfacePoint>& path, double distance) const {
     constexpr double rounding = 1e-9;  // of coordinates, too
@@ -160,15 +155,6 @@ class CgalSearch final : public Search, private ShortestPathMap {
     SurfacePoint asked;
   };
 
-  const SurfaceMesh& mesh() const { return *prepared_->mesh; }
-
-  void check(std::span<const Source> sources, const Request& request) const {
-    require_valid(mesh(), sources, request);
-    for (const Source& source : sources)
-      if (source.start != 0) throw CapabilityError("sources with a start distance are not supported");
-    if (request.stop_at_targets) throw CapabilityError("stopping at targets is not supported");
-  }
-
   void reset() {
     index_of_source_.clear();
     paths_.emplace(prepared_->copy, LayoutTraits(&poll_));
@@ -180,13 +166,13 @@ class CgalSearch final : public Search, private ShortestPathMap {
     index_of_source_.clear();
     paths_->remove_all_source_points();
     std::set<std::tuple<Index, double, double, double>> places;
-    for (Index i = 0; i < sources_.size(); ++i) {
-      const auto [face, b] = canonical(sources_[i].at);
+    for (Index i = 0; i < sources().size(); ++i) {
+      const auto [face, b] = canonical(sources()[i].at);
       if (places.emplace(face, b[0], b[1], b[2]).second) add({face, b}, i);
     }
     poll_.watch(&context);
     try {
-      guarded([&] { paths_->build_sequence_tree(); });
+      ask_cgal([&] { paths_->build_sequence_tree(); });
     } catch (...) {
       poll_.watch(nullptr);
       reset();
@@ -229,10 +215,6 @@ class CgalSearch final : public Search, private ShortestPathMap {
     index_of_source_.emplace(&*paths_->add_source_point(location), source);
   }
 
-  Distance distance_at(const SurfacePoint& point) const {
-    const Index vertex = mesh().vertex_at(point);
-    return vertex != no_index ? at_vertex_[vertex] : inside(point);
-  }
   Distance inside(const SurfacePoint& point) const {
     const Best best = best_near(point);
     return judge(best.found, mesh().triangles()[point.face][0], "a point of face " + std::to_string(point.face));
@@ -261,26 +243,27 @@ class CgalSearch final : public Search, private ShortestPathMap {
   }
   Best ask(const SurfacePoint& point, double away) const {
     const auto [face, b] = location_of(point);
-    Best best{guarded([&] { return paths_->shortest_distance_to_source_points(face, b); }), point};
+    Best best{ask_cgal([&] { return paths_->shortest_distance_to_source_points(face, b); }), point};
     if (best.found.first >= 0) best.found.first += away;
     return best;
   }
 
   Distance on_vertex(Index vertex) const {
     if (mesh().first_half_edge(vertex) == no_index) return {};
-    const Found found = guarded([&] { return paths_->shortest_distance_to_source_points(Mesh::Vertex_index(vertex)); });
+    const Found found =
+        ask_cgal([&] { return paths_->shortest_distance_to_source_points(Mesh::Vertex_index(vertex)); });
     return judge(found, vertex, "vertex " + std::to_string(vertex));
   }
 
   /// CGAL says -1 where it found no way. That is right only in a component without a source.
   Distance judge(const Found& found, Index vertex, const std::string& where) const {
     const bool nothing = found.second == paths_->source_points_end();
-    if (nothing && !with_source_.contains(prepared_->component[vertex])) return {};
+    if (nothing && !shares_component_with_source(vertex)) return {};
     if (nothing || !(found.first >= 0) || !std::isfinite(found.first))
       throw NumericalError("CGAL found no distance for " + where + ", which can be reached",
                            "check the mesh for needle faces and faces without area, or choose another solver");
     const double value = prepared_->normalisation.original(found.first);
-    if (value > radius_) return {std::numeric_limits<double>::infinity(), Reach::beyond_limit, no_index};
+    if (value > radius()) return {infinity, Reach::beyond_limit, no_index};
     return {value, Reach::reached, index_of_source_.at(&*found.second)};
   }
 
@@ -288,13 +271,8 @@ class CgalSearch final : public Search, private ShortestPathMap {
   cgal::CancelPoll poll_;
   mutable std::optional<ShortestPaths> paths_;  // CGAL's queries are not const: they build the tree on demand
   std::unordered_map<const FaceLocation*, Index> index_of_source_;
-  std::vector<Source> sources_;
-  SourceComponents with_source_;
-  double radius_ = 0;
-  Keep keep_ = Keep::targets;
   std::vector<double> distances_;
   std::vector<Distance> at_vertex_;
-  KeptTargets kept_;
 };
 
 class CgalPrepared final : public PreparedSurface {
@@ -317,12 +295,10 @@ class CgalPrepared final : public PreparedSurface {
 
 std::unique_ptr<PreparedSurface> CgalSolver::prepare(MeshPtr mesh, RunContext& context) const {
   context.throw_if_cancelled();
-  if (!mesh->face_weights().empty())
-    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  require_unweighted(*mesh);
   if (!mesh->manifold() || !mesh->oriented()) throw CapabilityError("the mesh must be manifold and oriented");
-  CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
   CGAL::set_warning_behaviour(CGAL::CONTINUE);
-  return guarded([&] { return std::make_unique<CgalPrepared>(std::move(mesh)); });
+  return ask_cgal([&] { return std::make_unique<CgalPrepared>(std::move(mesh)); });
 }
 
 }  // namespace geodrome

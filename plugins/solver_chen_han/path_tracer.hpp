@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/solver_chen_han/kept_windows.hpp"
 
 namespace geodrome::chen_han {

@@ -3,12 +3,11 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
-#include "plugins/common/exact/vertex_propagation.hpp"
 #include "geodrome/shortest_path_solver.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
+#include "plugins/common/exact/vertex_propagation.hpp"
 #include "plugins/solver_chen_han/apex.hpp"
 #include "plugins/solver_chen_han/kept_windows.hpp"
 #include "plugins/solver_chen_han/settings.hpp"
@@ -41,7 +40,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   /// The shortest way through a kept window to a point, which is at (x, y) in the frame of the window's half-edge; none
   /// as constructed.
   struct Way {
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = infinity;
     Index source = no_index, window = no_index;
     double x = 0, y = 0;
   };

@@ -3,45 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/lower_envelope.hpp"
+#include "plugins/common/exact/ordered_pair.hpp"
 
 namespace geodrome::chen_han {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::infinity();
-
-/// What becomes of an ordered pair.
-enum class Pair { in_order, cut, drop_left, drop_right, tangled };
-
-/// Brings an ordered pair of windows into order by the lemma, with nothing else known. Where the two are equally far up
-/// to rounding, as along the line from one through the other, no window is cut for the sake of one inside it: what
-/// rounding would then take from it nothing else would cover.
-Pair settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std::size_t right) {
-  if (w.empty(left)) return Pair::drop_left;
-  if (v.empty(right)) return Pair::drop_right;
-  if (w.high[left] <= v.low[right]) return Pair::in_order;
-  const double low = std::max(w.low[left], v.low[right]), high = std::min(w.high[left], v.high[right]);
-  if (!(low < high)) {
-    if (nearer(w.at(left, w.low[left]), v.at(right, w.low[left]))) return Pair::drop_right;
-    if (nearer(v.at(right, v.high[right]), w.at(left, v.high[right]))) return Pair::drop_left;
-    return Pair::tangled;
-  }
-  const bool left_keeps_all = !nearer(v.at(right, high), w.at(left, high));
-  const bool right_keeps_all = !nearer(w.at(left, low), v.at(right, low));
-  const bool left_is_inside = v.low[right] < low;
-  // As far everywhere, but the right one on the left: the lemma needs one to be nearer.
-  if (left_keeps_all && right_keeps_all && left_is_inside && high < w.high[left]) return Pair::tangled;
-  if (left_keeps_all && !(right_keeps_all && left_is_inside))
-    v.low[right] = high;
-  else if (right_keeps_all)
-    w.high[left] = low;
-  else
-    w.high[left] = v.low[right] = equal_place(w.get(left), v.get(right), low, high);
-  return Pair::cut;
+/// Settles window `left` of one list and window `right` of another, in place.
+PairOrder settle(const WindowArrays& w, std::size_t left, const WindowArrays& v, std::size_t right) {
+  Interval l{w.low[left], w.high[left]}, r{v.low[right], v.high[right]};
+  const PairOrder order = settle_pair(w.get(left), l, v.get(right), r);
+  w.high[left] = l.high, v.low[right] = r.low;
+  return order;
 }
+
+/// Windows as a list of pieces.
+struct WindowRow {
+  const WindowArrays& windows;
+  std::size_t count;
+
+  std::size_t size() const { return count; }
+  double low(std::size_t i) const { return windows.low[i]; }
+  double high(std::size_t i) const { return windows.high[i]; }
+  Window image(std::size_t i) const { return windows.get(i); }
+};
 
 }  // namespace
 
@@ -60,10 +48,10 @@ std::size_t Trimming::trim(const WindowArrays& w, std::size_t count, std::vector
   bool tangled = false, some_empty = false;
   for (std::size_t i = 0; unsure && i + 1 < count; ++i) {
     if (!std::isnan(cuts_[i])) continue;
-    const Pair pair = settle(w, i, w, i + 1);
-    if (pair == Pair::drop_left) w.high[i] = w.low[i];
-    if (pair == Pair::drop_right) w.low[i + 1] = w.high[i + 1];
-    tangled = tangled || pair == Pair::tangled;
+    const PairOrder order = settle(w, i, w, i + 1);
+    if (order == PairOrder::drop_left) w.high[i] = w.low[i];
+    if (order == PairOrder::drop_right) w.low[i + 1] = w.high[i + 1];
+    tangled = tangled || order == PairOrder::tangled;
   }
   for (std::size_t i = 0; i < count; ++i) some_empty |= w.empty(i);
   return tangled || some_empty ? repair(w, count, breaks) : count;
@@ -78,15 +66,15 @@ std::size_t Trimming::repair(const WindowArrays& w, std::size_t count, std::vect
   const auto take = [&](std::size_t i) {
     if (w.empty(i)) return false;
     while (end > start) {
-      const Pair pair = settle(w, end - 1, w, i);
-      if (pair == Pair::drop_right || w.empty(i)) return false;
-      if (pair == Pair::in_order) break;
-      if (pair == Pair::tangled) {
+      const PairOrder order = settle(w, end - 1, w, i);
+      if (order == PairOrder::drop_right || w.empty(i)) return false;
+      if (order == PairOrder::apart) break;
+      if (order == PairOrder::tangled) {
         start = end;
         breaks.push_back(static_cast<std::uint32_t>(end));
         break;
       }
-      if (pair == Pair::cut && !w.empty(end - 1)) break;
+      if (order == PairOrder::cut && !w.empty(end - 1)) break;
       --end;
     }
     return true;
@@ -102,75 +90,15 @@ std::size_t Trimming::repair(const WindowArrays& w, std::size_t count, std::vect
   return end;
 }
 
-namespace {
-
-/// The lower envelope as it grows from left to right; pieces of one window that touch are one.
-class Envelope {
- public:
-  explicit Envelope(WindowList& out) : out_(out) { out_.clear(); }
-
-  void add(const Window& window, std::size_t name, double low, double high) {
-    if (!(low < high)) return;
-    if (!out_.empty() && last_ == name && out_.arrays().high[out_.size() - 1] == low) {
-      out_.arrays().high[out_.size() - 1] = high;
-      return;
-    }
-    Window piece = window;
-    piece.low = low, piece.high = high;
-    out_.push(piece);
-    last_ = name;
-  }
-
-  /// The nearer of two windows, everywhere in [low, high]. |a x| - |b x| has one stationary point along a line, where
-  /// that of the images meets it; before and behind it the two change places at most once.
-  void add_nearer(const Window& a, std::size_t name_a, const Window& b, std::size_t name_b, double low, double high) {
-    const double turn = b.x + (a.x - b.x) * (b.y / (b.y - a.y));
-    if (low < turn && turn < high) {
-      add_monotone(a, name_a, b, name_b, low, turn);
-      low = turn;
-    }
-    add_monotone(a, name_a, b, name_b, low, high);
-  }
-
- private:
-  void add_monotone(const Window& a, std::size_t name_a, const Window& b, std::size_t name_b, double low, double high) {
-    const double at_low = a.at(low) - b.at(low), at_high = a.at(high) - b.at(high);
-    const bool a_first = at_low < 0 || (at_low == 0 && at_high <= 0);
-    const bool a_last = at_high < 0 || (at_high == 0 && at_low <= 0);
-    const double x = a_first == a_last ? high : equal_place(a, b, low, high);
-    add(a_first ? a : b, a_first ? name_a : name_b, low, x);
-    add(a_last ? a : b, a_last ? name_a : name_b, x, high);
-  }
-
-  WindowList& out_;
-  std::size_t last_ = 0;
-};
-
-}  // namespace
-
 void Trimming::merge(WindowList& list, const WindowArrays& other, std::size_t count) {
-  Envelope envelope(merged_);
-  const WindowArrays& w = list.arrays();
   const std::size_t size = list.size();
-  double x = -none;
-  for (std::size_t i = 0, j = 0; i < size || j < count;) {
-    const double low_i = i < size ? std::max(w.low[i], x) : none, high_i = i < size ? w.high[i] : none;
-    const double low_j = j < count ? std::max(other.low[j], x) : none, high_j = j < count ? other.high[j] : none;
-    if (i < size && !(low_i < high_i)) {
-      ++i;
-    } else if (j < count && !(low_j < high_j)) {
-      ++j;
-    } else if (low_i < low_j) {
-      x = std::min(high_i, low_j);
-      envelope.add(w.get(i), i, low_i, x);
-    } else if (low_j < low_i) {
-      x = std::min(high_j, low_i);
-      envelope.add(other.get(j), size + j, low_j, x);
-    } else {
-      x = std::min(high_i, high_j);
-      envelope.add_nearer(w.get(i), i, other.get(j), size + j, low_i, x);
-    }
-  }
+  merged_.clear();
+  lower_envelope(WindowRow{list.arrays(), size}, WindowRow{other, count},
+                 [this](const WindowRow& row, std::size_t i, double low, double high) {
+                   Window piece = row.image(i);
+                   piece.low = low, piece.high = high;
+                   merged_.push(piece);
+                 });
   dropped_ += size + count - std::min(size + count, merged_.size());  // pieces hide some
   std::swap(list, merged_);
 }
@@ -189,9 +117,9 @@ bool Trimming::append(WindowList& list, const WindowArrays& right, std::size_t c
   };
   while (left > 0 && next < end) {
     switch (settle(w, left - 1, w, next)) {
-      case Pair::in_order:
+      case PairOrder::apart:
         break;
-      case Pair::cut:
+      case PairOrder::cut:
         if (w.empty(left - 1)) {
           --left;
           continue;
@@ -201,13 +129,13 @@ bool Trimming::append(WindowList& list, const WindowArrays& right, std::size_t c
           continue;
         }
         break;
-      case Pair::drop_left:
+      case PairOrder::drop_left:
         --left;
         continue;
-      case Pair::drop_right:
+      case PairOrder::drop_right:
         ++next;
         continue;
-      case Pair::tangled:
+      case PairOrder::tangled:
         if (beaten(left - 1, w.low[left - 1], next, end)) {
           --left;
           continue;

@@ -9,19 +9,9 @@
 
 namespace geodrome::chen_han {
 
-/// Trimming cuts windows of one half-edge against each other, so that a part of a window that is not shortest there is
-/// not carried on. All of it rests on one lemma, which needs no other window and no final distance:
-///
-///   Let the lines of windows L and R enter the face below the half-edge so that those of L enter to the left of those
-///   of R. If at a point x of L's interval L is not farther than R (the image of R taken for its distance, seen from x
-///   or not), then no line of R to the left of x is needed. Likewise with left and right exchanged.
-///
-/// Proof: the line of R to y < x and that of L to x cross in the face below, at q. |R q| + |q x| >= |R x| >= |L x| = |L
-/// q|
-/// + |q x|, so L comes to q at least as short as R, and R's line to y is not shortest from q on, or tied. (Chen and
-/// Han's "one angle, one split" is the case of x at a vertex.)
-///
-/// "Ordered" below means in the order in which lines enter; intervals then follow each other where nothing overlaps.
+/// Cuts windows of one half-edge against each other, so that no part of a window that is not shortest there is carried
+/// on. Windows in order are cut by the lemma of ordered neighbours alone (ordered_pair.hpp). "Ordered" means: in the
+/// order in which their lines enter the face below; where intervals do not overlap, they then follow each other.
 class Trimming {
  public:
   explicit Trimming(const Lanes& lanes) : lanes_(&lanes) {}

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
-#include "plugins/common/mesh/indexed_heap.hpp"
+#include "geodrome/solver_kit/indexed_heap.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/solver_chen_han/window_store.hpp"
 
 namespace geodrome::chen_han {

@@ -7,15 +7,13 @@
 #include <string>
 #include <utility>
 
-#include "plugins/common/requests/request_checks.hpp"
-#include "plugins/common/requests/source_components.hpp"
+#include "geodrome/solver_kit/kept_search.hpp"
+#include "geodrome/vertex_components.hpp"
 #include "plugins/solver_edge_dijkstra/edge_graph.hpp"
 #include "plugins/solver_edge_dijkstra/label_search.hpp"
 
 namespace geodrome {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Prepared {
   MeshPtr mesh;
@@ -69,44 +67,34 @@ struct Way {
   }
 };
 
-class EdgeSearch final : public Search, private ShortestPathMap {
+class EdgeSearch final : public KeptSearch {
  public:
   explicit EdgeSearch(std::shared_ptr<const Prepared> prepared)
-      : prepared_(std::move(prepared)), labels_(prepared_->graph) {}
+      : KeptSearch(*prepared->mesh, prepared->component), prepared_(std::move(prepared)), labels_(prepared_->graph) {}
 
-  const ShortestPathMap& run(std::span<const Source> sources, const Request& request, RunContext& context) override {
-    require_valid(mesh(), sources, request);
-    context.throw_if_cancelled();
-    sources_.assign(sources.begin(), sources.end());
-    radius_ = request.radius;
-    keep_ = request.keep;
-    with_source_.assign(mesh(), prepared_->component, sources_);
+ private:
+  std::span<const double> vertices() const override { return labels_.distances(); }
+  std::span<const Counter> counters() const override { return counters_; }
+
+  void search(const Request& request, RunContext& context) override {
     labels_.clear();
     seed();
     if (request.stop_at_targets)
       for (const SurfacePoint& target : request.targets) want(target);
-    labels_.run(radius_, request.stop_at_targets, context);
-    kept_.assign(request.targets, [this](const SurfacePoint& target) { return distance_at(target); });
+    labels_.run(radius(), request.stop_at_targets, context);
     counters_[0].value = labels_.settled();
-    return *this;
   }
 
-  std::span<const double> vertices() const override { return labels_.distances(); }
-  std::span<const Counter> counters() const override { return counters_; }
-
-  Distance at(const SurfacePoint& point) const override {
-    require_on_surface(mesh(), point, "the point");
-    if (keep_ == Keep::map || mesh().vertex_at(point) != no_index) return distance_at(point);
-    return kept_.at(point);
-  }
-
-  void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const override {
-    require_on_surface(mesh(), point, "the point");
-    require_paths(keep_);
-    out.clear();
-    if (distance_at(point).reach != Reach::reached) return;
+  Distance distance_at(const SurfacePoint& point) const override {
     const Way way = way_to(point);
-    const SurfacePoint& source = sources_[way.source].at;
+    if (way.value <= radius() && way.source != no_index && (way.value <= labels_.limit() || corners_settled(point)))
+      return {way.value, Reach::reached, way.source};
+    return no_distance(point.face);
+  }
+
+  void trace(const SurfacePoint& point, const Distance&, std::vector<SurfacePoint>& out) const override {
+    const Way way = way_to(point);
+    const SurfacePoint& source = sources()[way.source].at;
     out.push_back(point);
     const Index start = mesh().vertex_at(point), end = mesh().vertex_at(source);
     for (Index v = way.corner; v != no_index; v = labels_.previous(v))
@@ -114,13 +102,10 @@ class EdgeSearch final : public Search, private ShortestPathMap {
     if (start == no_index || start != end) out.push_back(source);
   }
 
- private:
-  const SurfaceMesh& mesh() const { return *prepared_->mesh; }
-
   void seed() {
     sources_in_face_.clear();
-    for (Index i = 0; i < sources_.size(); ++i) {
-      const auto& [at, start] = sources_[i];
+    for (Index i = 0; i < sources().size(); ++i) {
+      const auto& [at, start] = sources()[i];
       const Index vertex = mesh().vertex_at(at);
       if (vertex != no_index) {
         labels_.seed(vertex, start, i);
@@ -160,7 +145,8 @@ class EdgeSearch final : public Search, private ShortestPathMap {
       const std::pair<Index, Index> from{face, 0};
       for (auto s = std::lower_bound(sources_in_face_.begin(), sources_in_face_.end(), from);
            s != sources_in_face_.end() && s->first == face; ++s)
-        way.improve(sources_[s->second].start + prepared_->between(point, sources_[s->second].at), s->second, no_index);
+        way.improve(sources()[s->second].start + prepared_->between(point, sources()[s->second].at), s->second,
+                    no_index);
     });
     return way;
   }
@@ -173,22 +159,9 @@ class EdgeSearch final : public Search, private ShortestPathMap {
     return settled;
   }
 
-  Distance distance_at(const SurfacePoint& point) const {
-    const Way way = way_to(point);
-    if (way.value <= radius_ && way.source != no_index && (way.value <= labels_.limit() || corners_settled(point)))
-      return {way.value, Reach::reached, way.source};
-    const Index component = prepared_->component[mesh().triangles()[point.face][0]];
-    return {infinity, with_source_.contains(component) ? Reach::beyond_limit : Reach::unreachable, no_index};
-  }
-
   std::shared_ptr<const Prepared> prepared_;
   LabelSearch labels_;
-  std::vector<Source> sources_;
   std::vector<std::pair<Index, Index>> sources_in_face_;  // (face, source), of sources that are no vertices
-  SourceComponents with_source_;
-  double radius_ = infinity;
-  Keep keep_ = Keep::targets;
-  KeptTargets kept_;
   std::array<Counter, 1> counters_{{{"settled_vertices", 0}}};
 };
 
@@ -206,8 +179,7 @@ class EdgePrepared final : public PreparedSurface {
 
 std::unique_ptr<PreparedSurface> EdgeDijkstra::prepare(MeshPtr mesh, RunContext& context) const {
   context.throw_if_cancelled();
-  if (!mesh->face_weights().empty())
-    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  require_unweighted(*mesh);
   return std::make_unique<EdgePrepared>(std::move(mesh));
 }
 

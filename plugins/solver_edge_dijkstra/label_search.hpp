@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <boost/graph/detail/d_ary_heap.hpp>
-#include <boost/property_map/property_map.hpp>
 #include <cstdint>
-#include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
 #include "geodrome/run_context.hpp"
+#include "geodrome/solver_kit/indexed_heap.hpp"
 #include "plugins/solver_edge_dijkstra/edge_graph.hpp"
 
 namespace geodrome {
 
-/// Dijkstra's search from any number of labelled starts, with Boost.Graph's indexed heap. A label is (distance,
-/// source); of two labels the lower one stays, so that ties go to the lowest source. The heap compares distances alone:
-/// a vertex whose label is lowered at the same distance goes back into the heap, and is counted as settled again.
+/// Dijkstra's search from any number of labelled starts. A label is (distance, source); of two labels the lower one
+/// stays, so that ties go to the lowest source. The queue compares distances, then vertices: a vertex whose label is
+/// lowered at the same distance goes back into the queue, and is counted as settled again. Labels do not depend on the
+/// order in which vertices at the same distance leave the queue; of ways as short from the same source, the one through
+/// the vertex that leaves first is kept.
 ///
 /// Reused: a new search costs what the last one reached. Not to be copied or shared between threads.
 class LabelSearch {
@@ -44,9 +43,6 @@ class LabelSearch {
   std::uint64_t settled() const { return settled_; }
 
  private:
-  using Places = boost::iterator_property_map<std::size_t*, boost::typed_identity_property_map<Index>>;
-  using Heap = boost::d_ary_heap_indirect<Index, 4, Places, const double*, std::less<double>>;
-
   void relax(Index vertex, double distance, Index source, Index previous);
   void drop_unsettled();
 
@@ -55,10 +51,9 @@ class LabelSearch {
   std::vector<Index> source_, previous_;
   std::vector<char> wanted_;
   std::vector<Index> touched_;
-  std::vector<std::size_t> place_;  ///< where the heap holds a vertex
-  Heap heap_;
+  IndexedHeap queue_;
   std::size_t open_wanted_ = 0;
-  double limit_ = std::numeric_limits<double>::infinity();
+  double limit_ = infinity;
   std::uint64_t settled_ = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "plugins/common/requests/vertex_map.hpp"
+#include "geodrome/solver_kit/vertex_map.hpp"
 #include "plugins/solver_fast_marching/front.hpp"
 
 namespace geodrome {
@@ -85,8 +85,7 @@ class FastMarchingPrepared final : public PreparedSurface {
 
 std::unique_ptr<PreparedSurface> FastMarching::prepare(MeshPtr mesh, RunContext& context) const {
   context.throw_if_cancelled();
-  if (!mesh->face_weights().empty())
-    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  require_unweighted(*mesh);
   return std::make_unique<FastMarchingPrepared>(std::move(mesh));
 }
 

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "geodrome/run_context.hpp"
-#include "plugins/common/mesh/indexed_heap.hpp"
+#include "geodrome/solver_kit/indexed_heap.hpp"
 #include "plugins/solver_fast_marching/stencils.hpp"
 
 namespace geodrome {
@@ -42,7 +41,7 @@ class Front {
   }
 
  private:
-  static constexpr double unreached = std::numeric_limits<double>::infinity();
+  static constexpr double unreached = infinity;
 
   struct Vertex {
     double distance = unreached;

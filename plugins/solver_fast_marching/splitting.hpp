@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 
 namespace geodrome {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 
 namespace geodrome {
 

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <utility>
 
-#include "plugins/common/requests/vertex_map.hpp"
+#include "geodrome/solver_kit/vertex_map.hpp"
 #include "plugins/solver_heat/heat_system.hpp"
 
 namespace geodrome {
@@ -129,8 +129,7 @@ class HeatPrepared final : public PreparedSurface {
 
 std::unique_ptr<PreparedSurface> Heat::prepare(MeshPtr mesh, RunContext& context) const {
   context.throw_if_cancelled();
-  if (!mesh->face_weights().empty())
-    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  require_unweighted(*mesh);
   if (!mesh->manifold() || !mesh->oriented()) throw CapabilityError("the mesh must be manifold and oriented");
   return std::make_unique<HeatPrepared>(std::move(mesh), context);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a propagation does where a front meets the apex of a face.
+// The members of Propagation for the meeting of a front with the apex of a face.
 #include <algorithm>
 #include <cmath>
 
@@ -9,9 +9,10 @@
 
 namespace geodrome::schreiber {
 
-/// The generator that has the apex, and those that are as near up to rounding, go on to both sides, all others to their
-/// own: one angle, one split. One that has rays to the wrong side only died before the apex if it is not nearer to it
-/// (the lemma of FrontEditor, at the apex), and goes; otherwise the front is out of order.
+/// Splits a front at the apex. The owner of the apex, and generators as near up to rounding, go on to both sides, all
+/// others to their own side: one angle, one split. A generator with rays to the wrong side only has died before the
+/// apex and is removed if it is not nearer there (the lemma of ordered neighbours, with the apex for x); otherwise the
+/// front is out of order.
 Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double until) {
   const double x = apex.x, y = apex.y;
   const std::size_t best = owner_of(front, x, y, until);
@@ -33,7 +34,7 @@ Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double 
   return split;
 }
 
-/// The split at generator `best`, which is `g`, to which the apex belongs if it has a ray to it.
+/// Returns the split at generator `best`, which is `g`. It owns the apex if it has a ray to it.
 Propagation::Split Propagation::around(const Generator& g, std::size_t best, const Front& front, const Apex& apex) {
   const double x = apex.x, y = apex.y;
   if (!g.reaches(x, y)) {
@@ -48,9 +49,9 @@ Propagation::Split Propagation::around(const Generator& g, std::size_t best, con
   return split;
 }
 
-/// Lowers the apex: by the generator that has it, by the ends of its neighbours' rays, and along the edges. A way that
-/// bends at the end of what a generator has of the half-edge exists as well; it is what keeps a vertex that lies in the
-/// gap between two generators, by rounding or behind a saddle too flat to count as one.
+/// Lowers the distance of the apex: by its owner, by the outermost rays of the neighbours, and along the edges. A path
+/// that bends at the end of what a generator claims of the half-edge exists as well; it serves a vertex in the gap
+/// between two generators that rounding, or a saddle too flat to count as one, has made.
 void Propagation::lower_apex(const Apex& apex, const Front& front, const Split& split) {
   std::size_t before = split.left_end, after = split.right_begin;
   if (split.covered) {
@@ -71,7 +72,7 @@ void Propagation::lower_apex_bent(const Apex& apex, const Generator& g) {
   lower_apex_by(apex, g, x, g.at(x) + std::sqrt((apex.x - x) * (apex.x - x) + apex.y * apex.y));
 }
 
-/// By a generator, coming from its image, or from (x, 0) if the way bends there.
+/// Lowers the distance of the apex by a generator: straight from its image, or bent at (x, 0).
 void Propagation::lower_apex_by(const Apex& apex, const Generator& g, double x, double distance) {
   lower_apex_from(apex, {g.x, g.y, g.sigma, g.origin}, x, distance, [&] {
     const double climb = apex.y - g.y;

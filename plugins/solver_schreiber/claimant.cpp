@@ -3,16 +3,20 @@
 
 #include <vector>
 
+#include "plugins/solver_schreiber/claims.hpp"
+
 namespace geodrome::schreiber {
 namespace {
 
-/// Looks for the owner of a point: it has the point on the right of its boundary with the one before and on the left of
-/// that with the one behind. One that has it on the wrong side of both died before it, and its neighbours meet.
+/// Searches the owner of a point. The owner has the point on the right of its boundary with the generator before it and
+/// on the left of that with the one behind it. A generator that has the point on the wrong side of both died before it,
+/// and its neighbours meet.
 class OwnerSearch {
  public:
   OwnerSearch(const Front& front, double px, double py) : front_(front), px_(px), py_(py) {}
 
-  /// Of generators [first, end), which live, so that their boundaries are in order, the one whose the point is.
+  /// Returns the owner of the point among generators [first, end), which are alive, so that their boundaries are in
+  /// order.
   std::size_t search(std::size_t first, std::size_t end) const {
     std::size_t low = first, high = end - 1;
     if (low < high && !has(low, low + 1))  // most often the point is outside
@@ -29,7 +33,7 @@ class OwnerSearch {
     return low;
   }
 
-  /// Takes generators [first, end) in, of which number `owner` has the point from the others; one run after the other.
+  /// Adds generators [first, end), of which `owner` has the point from the others. Runs are added in ascending order.
   void add(std::size_t first, std::size_t owner, std::size_t end) {
     while (!is_open_) {
       const std::size_t before = behind_.empty() ? owner_ : behind_.back().end - 1;
@@ -56,7 +60,7 @@ class OwnerSearch {
   struct Run {
     std::size_t begin, end;
   };
-  /// Whether the point is on the right of the boundary between two.
+  /// Tells whether the point is on the right of the boundary between two generators.
   bool has(std::size_t left, std::size_t right) const {
     Generator rooms[2];
     return right_has(front_.look(left, rooms[0]), front_.look(right, rooms[1]), px_, py_);

@@ -5,11 +5,11 @@
 
 namespace geodrome::schreiber {
 
-/// Whose a point of the face is, of the generators of a front, some of which may have died before it: only those with
-/// keys up to `until` can have. `until` is the distance of the point and at least the length of the half-edge more: of
-/// two that are beside a gap one that still lives may reach over the other only farther on. Whether the owner has a ray
-/// to the point is not asked. Precondition: the front is not empty. O(d log^2 n), where d - 1 can have died; O(n) for
-/// short fronts.
+/// Returns the index of the generator that owns a point of the face: the one with the shortest straight path to it.
+/// Some generators may have died before the point; those whose key exceeds `until` are known to be alive there. `until`
+/// is the distance of the point and at least the length of the half-edge more: beside a gap a generator that still
+/// lives may reach over its neighbour only farther on. Does not tell whether the owner has a ray to the point.
+/// Precondition: the front is not empty. O(d log^2 n), where d - 1 generators can have died; O(n) for short fronts.
 std::size_t owner_of(const Front& front, double px, double py, double until);
 
 inline Generator owner_at(const Front& front, double px, double py, double until) {

@@ -1,31 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "plugins/common/exact/ordered_pair.hpp"
 #include "plugins/solver_schreiber/generator.hpp"
 
 namespace geodrome::schreiber {
 
-/// What a generator has of a half-edge.
-struct Claim {
-  double low, high;
-  bool empty() const { return !(low < high); }
-};
-inline Claim claim_of(const Generator& g, double length) { return {g.low(length), g.high(length)}; }
+/// Returns the claim of a generator: the part of a half-edge of `length` that its rays cross.
+inline Interval claim_of(const Generator& g, double length) { return {g.low(length), g.high(length)}; }
 
-/// What becomes of a pair in order.
-enum class Order { apart, cut, drop_left, drop_right, tangled };
+/// Shrink the claim of a generator to the part of the half-edge where it was not farther, up to rounding, than its
+/// neighbour that is removed. What the neighbour did not claim stays.
+void keep_left(const Generator& left, Interval& l, const Generator& gone, const Interval& r);
+void keep_right(const Generator& gone, const Interval& l, const Generator& right, Interval& r);
 
-/// Cuts the claims of neighbours in order against each other, with nothing else known. Where the two are equally far up
-/// to rounding, as along the line from one through the other, no claim is cut for the sake of one inside it: what
-/// rounding would then take from it nothing else would cover.
-Order settle(const Generator& left, Claim& l, const Generator& right, Claim& r);
-
-/// All that the left one has, from `left_low` on, lies on the right of all that the right one has, up to `right_high`:
-/// all their rays cross before the half-edge.
-Order settle_reversed(const Generator& left, double left_low, const Generator& right, double right_high);
-
-/// What the neighbour of one that is gone had of a half-edge beside it: all where it was as near up to rounding.
-void keep_left(const Generator& left, Claim& l, const Generator& gone, const Claim& r);
-void keep_right(const Generator& gone, const Claim& l, const Generator& right, Claim& r);
+/// Tells whether a point is on the right of the boundary between neighbours in order. A point beyond the rays of both
+/// lies in a gap, which counts as part of the left one.
+///
+/// If only one of the two has a ray to the point, that ray may cross the other's wedge, and the nearer generator at
+/// that crossing decides. So it is also found out whether the ray is a real path: wedges inside a front are wider than
+/// the free way between the vertices beside it, but the neighbour whose outermost ray passes such a vertex is nearer up
+/// to there.
+bool right_has(const Generator& left, const Generator& right, double px, double py);
 
 }  // namespace geodrome::schreiber

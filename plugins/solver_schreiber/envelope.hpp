@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "plugins/solver_schreiber/generator.hpp"
@@ -9,19 +8,18 @@
 
 namespace geodrome::schreiber {
 
-/// A generator and a part of a half-edge that it has.
+/// A generator and a piece of a half-edge on which it is the nearest.
 struct Piece {
   Generator generator;
   double low, high;
-  std::size_t name;  ///< the same for all parts of one generator
 };
 using Pieces = std::vector<Piece>;
 
-/// What the generators of a front have of a half-edge, from its start to its end, each cut against its neighbours;
-/// named from `first_name` on. Runs that are in no order are cut against each other point by point. O(n).
-Pieces pieces_of(const Sequence<Generator>& front, double length, std::size_t first_name);
+/// Divides a half-edge among the generators of a front, each cut against its neighbours; the pieces ascend. Runs of
+/// generators that are in no order with each other are separated by a lower envelope. O(n).
+Pieces pieces_of(const Sequence<Generator>& front, double length);
 
-/// Two lists of pieces in order, with different names: the nearest everywhere. O(n + m).
-Pieces lower_envelope(const Pieces& a, const Pieces& b);
+/// The lower envelope of two lists of ascending pieces. O(n + m).
+Pieces nearest_pieces(const Pieces& a, const Pieces& b);
 
 }  // namespace geodrome::schreiber

@@ -7,31 +7,33 @@
 
 #include "plugins/common/exact/bisector.hpp"
 #include "plugins/solver_schreiber/claims.hpp"
+#include "plugins/solver_schreiber/lifetime.hpp"
 
 namespace geodrome::schreiber {
 namespace {
 
-/// A neighbour that has nothing of the half-edge any more, all its rays passing beyond it, may still be what ends one.
-Order settle_with_all_rays(const Generator& left, Claim& l, const Generator& right, Claim& r) {
-  if ((l.empty() || r.empty()) && l.low >= r.high) return settle_reversed(left, l.low, right, r.high);
-  return settle(left, l, right, r);
+/// Settles a pair by all their rays. A neighbour that claims nothing of the half-edge any more, because all its rays
+/// pass beyond it, may still be what ends another.
+PairOrder settle_with_all_rays(const Generator& left, Interval& l, const Generator& right, Interval& r) {
+  if ((l.empty() || r.empty()) && l.low >= r.high) return settle_reversed_pair(left, l.low, right, r.high);
+  return settle_pair(left, l, right, r);
 }
 
-/// Whether generator i has nothing of the half-edge between its neighbours.
+/// Tells whether generator i owns no part of the half-edge between its neighbours.
 bool is_dead(const Front& front, std::size_t i, double length) {
   Generator rooms[3];
   const Generator& g = front.look(i, rooms[0]);
-  Claim claim = claim_of(g, length);
+  Interval claim = claim_of(g, length);
   if (g.is_sliver() || claim.empty()) return true;
   if (i > 0) {
     const Generator& left = front.look(i - 1, rooms[1]);
-    Claim other = claim_of(left, length);
-    if (settle_with_all_rays(left, other, g, claim) == Order::drop_right || claim.empty()) return true;
+    Interval other = claim_of(left, length);
+    if (settle_with_all_rays(left, other, g, claim) == PairOrder::drop_right || claim.empty()) return true;
   }
   if (i + 1 < front.size()) {
     const Generator& right = front.look(i + 1, rooms[2]);
-    Claim other = claim_of(right, length);
-    if (settle_with_all_rays(g, claim, right, other) == Order::drop_left || claim.empty()) return true;
+    Interval other = claim_of(right, length);
+    if (settle_with_all_rays(g, claim, right, other) == PairOrder::drop_left || claim.empty()) return true;
   }
   return false;
 }
@@ -67,7 +69,7 @@ void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
   const auto turn_back = [&](double& dx, double& dy) { std::tie(dx, dy) = before.back.turn_back(dx, dy); };
   if (!was_first) {
     Generator left = front[i - 1].moved(before.back);
-    Claim l = claim_of(left, length);
+    Interval l = claim_of(left, length);
     keep_left(left, l, gone, claim_of(gone, length));
     if (was_last) l.high = std::min(l.high, gone.high(length));
     if (left.has_right(l.high, 0)) {
@@ -78,7 +80,7 @@ void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
   }
   if (!was_last) {
     Generator right = front[i].moved(before.back);
-    Claim r = claim_of(right, length);
+    Interval r = claim_of(right, length);
     keep_right(gone, claim_of(gone, length), right, r);
     if (was_first) r.low = std::max(r.low, gone.low(length));
     if (right.has_left(r.low, 0)) {
@@ -90,7 +92,7 @@ void FrontEditor::remove(Front& front, std::size_t i, const Before& before) {
   renew_seam(front, i);
 }
 
-/// The ray of `g`, in the frame of the front, becomes that of generator i.
+/// Replaces a ray of generator i by that of `g`, which is in the frame of the front.
 void FrontEditor::set_low(Front& front, std::size_t i, const Generator& g) {
   front.update(i, [&](Generator& stored, const Motion& motion) {
     std::tie(stored.low_x, stored.low_y) = motion.turn_back(g.low_x, g.low_y);
@@ -111,8 +113,8 @@ void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, 
   set_high(front, i, g);
 }
 
-/// A ray that is cut may be the one that its key speaks of, so keys are computed anew. (Where a neighbour's ray is cut,
-/// or a neighbour goes, the key that one has is not too large.)
+/// Keys are computed anew here because a key may rest on a ray that is cut. (Where only a neighbour's ray is cut, or a
+/// neighbour is removed, the old key is not too large.)
 void FrontEditor::end_at(Front& front, double px, double py) {
   Generator room;
   const bool all = front.size() <= short_front;
@@ -126,7 +128,7 @@ void FrontEditor::end_at(Front& front, double px, double py) {
       break;
     }
   }
-  // One that was as near at the point may have nothing on this side of it; its neighbour's ray is right as it is.
+  // A generator that was only as near at the point may have no ray on this side of it; its neighbour's ray is right.
   while (!front.empty() && front.back().is_sliver()) front.erase(front.size() - 1);
   if (!front.empty()) from = std::min(from, front.size() - 1);
   for (std::size_t i = from; i < front.size(); ++i) renew_key(front, i);
@@ -175,7 +177,8 @@ void FrontEditor::narrow_one(Front& front, std::size_t i, double length) {
   if (low || high) renew_key(front, i);
 }
 
-/// In the order in which they can have died: one that died must not be taken for a neighbour of others.
+/// Generators are tested in the order in which they can have died: one that died must not count as a neighbour of
+/// others.
 bool FrontEditor::bury(Front& front, double length, double until, const Before& before) {
   const std::uint64_t events = counts_.events;
   suspects_.clear();
@@ -201,15 +204,15 @@ void FrontEditor::join(Front& left, Front right, double length) {
   while (!left.empty() && !right.empty()) {
     const std::size_t end = left.size() - 1;
     Generator a = left[end], b = right[0];
-    Claim l = claim_of(a, length), r = claim_of(b, length);
-    const Order order = settle(a, l, b, r);
-    if (order == Order::tangled) return merge(left, std::move(right), length);
-    const bool cut = order == Order::cut;
+    Interval l = claim_of(a, length), r = claim_of(b, length);
+    const PairOrder order = settle_pair(a, l, b, r);
+    if (order == PairOrder::tangled) return merge(left, std::move(right), length);
+    const bool cut = order == PairOrder::cut;
     if (cut) a.set_high(l.high, 0), b.set_low(r.low, 0);
-    if (order == Order::drop_left || l.empty() || a.is_sliver() ||
+    if (order == PairOrder::drop_left || l.empty() || a.is_sliver() ||
         (cut && end > 0 && !right_has(left[end - 1], a, l.high, 0))) {
       remove(left, end, {{}, length});
-    } else if (order == Order::drop_right || r.empty() || b.is_sliver() ||
+    } else if (order == PairOrder::drop_right || r.empty() || b.is_sliver() ||
                (cut && right.size() > 1 && right_has(b, right[1], r.low, 0))) {
       remove(right, 0, {{}, length});
     } else {
@@ -225,7 +228,7 @@ void FrontEditor::join(Front& left, Front right, double length) {
   renew_seam(left, seam);
 }
 
-Front FrontEditor::trimmed(const Front& front, double length) { return front_of(pieces_of(front, length, 0)); }
+Front FrontEditor::trimmed(const Front& front, double length) { return front_of(pieces_of(front, length)); }
 
 Front FrontEditor::front_of(const Pieces& pieces) {
   std::vector<Generator> generators;
@@ -249,7 +252,7 @@ void FrontEditor::merge(Front& front, Front other, double length) {
   if (other.empty()) return;
   if (front.empty()) return front.swap(other);
   ++counts_.envelopes;
-  front = front_of(lower_envelope(pieces_of(front, length, 0), pieces_of(other, length, front.size())));
+  front = front_of(nearest_pieces(pieces_of(front, length), pieces_of(other, length)));
 }
 
 Front FrontEditor::mirrored(const Front& front, double length) {

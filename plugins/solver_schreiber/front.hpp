@@ -11,34 +11,34 @@
 
 namespace geodrome::schreiber {
 
-/// A wavefront that enters a face through a half-edge: generators in the order of their rays, which cross neither in
-/// the face below nor on the half-edge. Boundaries between neighbours are not stored: they are where the nearer one
-/// changes.
+/// A front: a wavefront that enters a face through a half-edge, as its generators in the order of their rays, which
+/// cross neither in the face below nor on the half-edge. Boundaries between neighbours are not stored: they are where
+/// the nearer generator changes.
 using Front = Sequence<Generator>;
 using FrontPool = Front::Pool;
 
-/// Fronts of so many generators at most are looked at whole where longer ones are searched: it costs little, and finds
-/// what is in no order by rounding.
+/// Fronts of at most so many generators are looked at whole where longer ones are searched. That costs little, and
+/// finds generators that rounding has put out of order.
 inline constexpr std::size_t short_front = 32;
 
-/// Where a front begins and ends on a half-edge, and how far it has come there.
+/// The ends of a front on a half-edge, and the distances of the front there.
 struct Ends {
   double low, high, at_low, at_high;
 
-  /// Seen from a half-edge of `length` that runs the other way.
+  /// Returns the ends as seen from a half-edge of `length` that runs the other way.
   Ends mirrored(double length) const { return {length - high, length - low, at_high, at_low}; }
 };
 inline Ends ends_of(const Generator& first, const Generator& last, double length) {
   const double low = first.low(length), high = last.high(length);
   return {low, high, first.at(low), last.at(high)};
 }
-/// Precondition: not empty.
+/// Returns the ends of a front. Precondition: the front is not empty.
 inline Ends ends_of(const Front& front, double length) {
   Generator rooms[2];
   return ends_of(front.look(0, rooms[0]), front.look(front.size() - 1, rooms[1]), length);
 }
 
-/// What happened to fronts.
+/// Counts of what happened to fronts.
 struct FrontCounts {
   std::uint64_t events = 0;     ///< generators that died between their neighbours or at a seam
   std::uint64_t joins = 0;      ///< fronts joined
@@ -47,21 +47,15 @@ struct FrontCounts {
 };
 
 /// The operations on fronts where they cross a half-edge of a given length, in its frame. All of them drop generators,
-/// or leave it to a neighbour to have a place, by one lemma only:
-///
-///   Let the rays of generators L and R enter the face below the half-edge so that those of L enter to the left of
-///   those of R. If at a point x that a ray of L reaches L is not farther than R (seen from x or not), then no ray of R
-///   to the left of x is needed. Likewise with left and right exchanged.
-///
-/// For the ray of R to y < x and that of L to x cross, at q: |R q| + |q x| >= |R x| >= |L x| = |L q| + |q x|.
+/// or leave a place to a neighbour, by the lemma of ordered neighbours alone (ordered_pair.hpp).
 class FrontEditor {
  public:
   explicit FrontEditor(FrontPool& pool) : pool_(pool) {}
 
-  /// Computes the key of generator i, if there is one, after a neighbour of it changed.
+  /// Recomputes the key of generator i, if there is one, after a neighbour of it changed.
   void renew_key(Front& front, std::size_t i);
 
-  /// Those of the generators before and behind place i, where they became neighbours or one became the outermost.
+  /// Recomputes the keys of generators i - 1 and i after they became neighbours, or of the one that became outermost.
   void renew_seam(Front& front, std::size_t i);
 
   /// A half-edge that a front comes from.
@@ -69,43 +63,45 @@ class FrontEditor {
     Motion back;  ///< to its frame
     double length;
   };
-  /// Removes generator i, which still had something of the half-edge `before`. What its neighbours had of that stays
-  /// all that they have: beyond their boundaries with the one removed that was as near, and only its own rays are known
-  /// to pass the vertices on their side.
+  /// Removes generator i, which still claimed a part of the half-edge `before`. Its neighbours keep the parts of their
+  /// claims there that were no farther than the removed generator, and get rays that end there: only the rays of the
+  /// removed generator are known to pass the vertices beyond.
   void remove(Front& front, std::size_t i, const Before& before);
 
-  /// Bounds the first and last ray by the ends of the half-edge: beyond them they pass its vertices on the wrong side.
-  /// What has nothing of the half-edge at an end goes. The ends of what is left, if anything. Precondition, also of
-  /// `bury`: no ray passes the apex of the face on the other side of it (`end_at`, `begin_at`).
+  /// Removes generators at both ends that cross no part of the half-edge, and bounds the first and the last ray by the
+  /// ends of the half-edge: beyond them a ray passes a vertex on the wrong side. Returns the ends of what is left, if
+  /// anything. Precondition, also of `bury`: no ray passes the apex of the face on the other side of it (`end_at`,
+  /// `begin_at`).
   Ends fit(Front& front, double length, const Before& before);
 
-  /// Bounds the rays of generators that can die up to `until`, and of those beside them, by the ends of the half-edge:
-  /// a neighbour that dies keeps rays beyond a vertex in check no longer.
+  /// Bounds the rays of generators that can die up to the distance `until`, and of those beside them, by the ends of
+  /// the half-edge: a neighbour that dies no longer keeps rays beyond a vertex in check.
   void narrow(Front& front, double length, double until);
 
-  /// Removes the generators that have died between the half-edge before and this one, `length` long. Only those with
-  /// keys up to `until` can have. True if there were some.
+  /// Removes the generators that have died between the half-edge before and this one, `length` long, and tells whether
+  /// there were some. Only generators with keys up to `until` can have died.
   bool bury(Front& front, double length, double until, const Before& before);
 
-  /// Leaves no rays to the right (left) of a point, at which the front ends (begins) from now on. In a short
-  /// front all are looked at; else those in a row at that end, behind which none has any but the dead.
+  /// Remove all rays to the right (left) of a point, at which the front ends (begins) from now on. In a short front all
+  /// generators are looked at; in a longer one only those in a row at that end, since behind the row only dead
+  /// generators have such rays.
   void end_at(Front& front, double px, double py);
   void begin_at(Front& front, double px, double py);
 
-  /// A front whose rays are bounded by what its generators have of a half-edge. O(n).
+  /// Returns a front with rays bounded by what each generator owns of the half-edge. O(n).
   Front trimmed(const Front& front, double length);
 
-  /// Joins `right`, all rays of which enter to the right of those of `left`.
+  /// Appends `right`, all rays of which enter to the right of those of `left`.
   void join(Front& left, Front right, double length);
 
-  /// Two fronts of which no order is known: each has what is its own of the half-edge, which may come in pieces. O(n +
-  /// m).
+  /// Merges two fronts of which no order is known: at each place of the half-edge the nearest generator stays. A
+  /// generator may come out in pieces. O(n + m).
   void merge(Front& front, Front other, double length);
 
-  /// A front of generators in order, whose keys are computed. O(n).
+  /// Returns a front of generators in order, with keys computed. O(n).
   Front front_of(std::vector<Generator> generators);
 
-  /// The generators in reversed order, seen from a half-edge that runs the other way.
+  /// Returns the generators in reversed order, as seen from a half-edge that runs the other way.
   Front mirrored(const Front& front, double length);
 
   const FrontCounts& counts() const { return counts_; }

@@ -6,22 +6,22 @@
 #include <limits>
 #include <tuple>
 
-#include "plugins/common/exact/bisector.hpp"
 #include "geodrome/geometry.hpp"
+#include "plugins/common/exact/bisector.hpp"
 #include "plugins/solver_schreiber/motion.hpp"
 
 namespace geodrome::schreiber {
 
 /// A source image of a wavefront: a pseudo-source unfolded into the plane of a face, with the wedge between two rays
-/// that its straight paths stay in. Where generators overlap the nearer one counts. Of the first and last of a front
-/// the outer ray exists; wedges inside are wider than what exists, and kept in check by their neighbours (`right_has`).
-/// In the frame of a half-edge images are at y <= 0 and wedges open upwards; `low` is the ray on the side of the
-/// half-edge's start.
+/// that contains its straight paths. Where wedges overlap, the nearer generator counts. The outer ray of the first and
+/// of the last generator of a front is a real path. Wedges inside a front are wider than their real paths; the
+/// neighbours keep them in check (`right_has`). In the frame of a half-edge images are at y <= 0 and wedges open
+/// upwards; `low` is the ray on the side of the half-edge's start.
 struct Generator {
   double x, y, sigma;     ///< the image; the distance travelled before it
   double low_x, low_y;    ///< unit direction
   double high_x, high_y;  ///< unit direction
-  double key;             ///< some ray of it is ahead of both neighbours until this distance at least
+  double key;             ///< a lower bound of the distance at which it dies between its neighbours (lifetime.hpp)
   Index origin;           ///< the pseudo-source: a vertex, or `vertex count + i` for source i of the request
 
   Generator moved(const Motion& motion) const {
@@ -31,7 +31,8 @@ struct Generator {
     std::tie(g.high_x, g.high_y) = motion.turn(high_x, high_y);
     return g;
   }
-  /// Seen from a half-edge of `length` that runs the other way, on the same side.
+  /// Returns the generator as seen from a half-edge of `length` that runs the other way, with the face on the same
+  /// side.
   Generator mirrored(double length) const {
     return {length - x, y, sigma, -high_x, high_y, -low_x, low_y, key, origin};
   }
@@ -40,12 +41,12 @@ struct Generator {
   double to(double px, double py) const { return sigma + away(px, py); }
   double at(double px) const { return to(px, 0); }
 
-  /// On which side of a ray a point is: not beyond it.
+  /// Tell whether a point is on the inner side of a ray, or on it.
   bool inside_low(double px, double py) const { return low_x * (py - y) - low_y * (px - x) <= 0; }
   bool inside_high(double px, double py) const { return high_x * (py - y) - high_y * (px - x) >= 0; }
   bool covers(double px, double py) const { return inside_low(px, py) && inside_high(px, py) && is_ahead(px, py); }
-  /// The same up to rounding: the way to a point beyond the ray, bent where the ray meets the half-edge, is no longer
-  /// than the straight one.
+  /// Tell whether a point is inside a ray up to rounding: the path to a point beyond the ray, bent where the ray meets
+  /// the half-edge, is no longer than the straight one.
   bool reaches_low(double px, double py) const {
     return is_reached(low_x * (py - y) - low_y * (px - x), low_x, low_y, px, py);
   }
@@ -53,22 +54,22 @@ struct Generator {
     return is_reached(high_y * (px - x) - high_x * (py - y), high_x, high_y, px, py);
   }
   bool reaches(double px, double py) const { return reaches_low(px, py) && reaches_high(px, py) && is_ahead(px, py); }
-  /// Whether it has rays to the left or right of a point.
+  /// Tell whether the wedge has rays to the left or right of a point.
   bool has_left(double px, double py) const { return low_x * (py - y) - low_y * (px - x) < 0; }
   bool has_right(double px, double py) const { return high_x * (py - y) - high_y * (px - x) > 0; }
 
-  /// Whether a ray meets the half-edge beyond a place, by more than rounding.
+  /// Tell whether a ray meets the half-edge beyond a place, by more than rounding.
   bool passes_low(double place) const { return low_y * (place - x) + low_x * y > rounding(place); }
   bool passes_high(double place) const { return high_y * (x - place) - high_x * y > rounding(place); }
 
-  /// Whether its rays are one, but for rounding.
+  /// Tells whether the two rays are one, up to rounding.
   bool is_sliver() const {
     return high_x * low_x + high_y * low_y > 0 &&
            high_x * low_y - high_y * low_x <= 4 * std::numeric_limits<double>::epsilon();
   }
 
-  /// Where the rays meet a half-edge of `length`, or its nearer end. If only one climbs, the other is beyond the end on
-  /// its side; if neither does, both are beyond one end.
+  /// Return where the rays meet a half-edge of `length`, or its nearer end. If only one ray climbs, the other is beyond
+  /// the end on its side; if neither does, both are beyond one end.
   double low(double length) const {
     if (climbs(low_y)) return place(low_x, low_y, length);
     return climbs(high_y) || low_x < 0 ? 0 : low_x > 0 ? length : std::clamp(x, 0.0, length);
@@ -82,14 +83,14 @@ struct Generator {
   void set_high(double px, double py) { aim(high_x, high_y, px, py); }
 
  private:
-  /// Not behind the image: of a wedge without a width both sides of its line are inside.
+  /// Tells whether a point is ahead of the image. A wedge without a width has both sides of its line inside.
   bool is_ahead(double px, double py) const {
     return low_x * (px - x) + low_y * (py - y) > 0 || high_x * (px - x) + high_y * (py - y) > 0 || !is_sliver();
   }
   double rounding(double place) const {
     return 2 * std::numeric_limits<double>::epsilon() * (std::abs(place) + std::abs(x) + std::abs(y));
   }
-  /// A point at distance `beyond` from a ray, if positive.
+  /// Tells whether a point is reached that is at distance `beyond` from a ray, on its outer side if positive.
   bool is_reached(double beyond, double dx, double dy, double px, double py) const {
     constexpr double too_far = 1e-7;  // for its square, at least by which the bent way is longer, to be rounding
     if (beyond <= 0) return true;
@@ -97,30 +98,18 @@ struct Generator {
     const double along = -y / dy, off = px - (x + along * dx);
     return along + std::sqrt(off * off + py * py) <= (1 + equal_share) * away(px, py);
   }
-  /// A ray that climbs less than the rounding of some motions is along the half-edge, and crosses it at no place.
+  /// Tells whether a ray crosses the line of the half-edge. One that climbs less than the rounding of some motions runs
+  /// along the half-edge and crosses it at no place.
   static bool climbs(double dy) { return dy > std::numeric_limits<double>::epsilon(); }
   double place(double dx, double dy, double length) const {
     return std::clamp(x + dx * (std::max(0.0, -y) / dy), 0.0, length);
   }
-  /// A point at the image itself, but for rounding, leaves the ray as it is.
+  /// Turns a ray to a point. A point at the image itself, up to rounding, leaves the ray as it is.
   void aim(double& dx, double& dy, double px, double py) const {
     constexpr double same_place = 3e-11;
     const double size = away(px, py);
     if (size > same_place * (std::abs(px) + std::abs(x) + std::abs(y))) dx = (px - x) / size, dy = (py - y) / size;
   }
 };
-
-/// Whether the boundary between neighbours in order leaves a point on its right. Beyond the rays of both the point lies
-/// in a gap, which counts as the left one's.
-///
-/// Where only one of the two has a ray to the point, that ray may cross the other's wedge, and what counts is which is
-/// nearer where it does. That also tells whether the ray exists: wedges inside a front are wider than the free way
-/// between the vertices beside it, but the neighbour whose outermost ray passes such a vertex is nearer up to there.
-bool right_has(const Generator& left, const Generator& right, double px, double py);
-
-/// Lower bound of the distance at which `g` dies between its neighbours (nullptr: none on that side), all in one frame
-/// above whose line y = 0 the wavefront is. It is proved by a witness: a ray of g and the distance up to which neither
-/// neighbour is nearer on it; so no case that is missed or rounded can make it too large, beyond `same_line`.
-double lifetime(const Generator* left, const Generator& g, const Generator* right);
 
 }  // namespace geodrome::schreiber

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/solver_schreiber/front.hpp"
 
 namespace geodrome::schreiber {
 
-/// How a path goes on from a vertex: across a half-edge, along an edge to another vertex, or (neither)
-/// straight to its source.
+/// The next step of a path from a vertex towards its source: across a half-edge, along an edge to another vertex, or,
+/// if neither is set, straight to the source.
 struct Step {
   double crossing = 0;  ///< place on the half-edge, in its frame
   Index half_edge = no_index, vertex = no_index;
@@ -18,19 +17,20 @@ struct Step {
   Index origin = no_index;  ///< of its generator
 };
 
-/// The way to a point through a front, straight or bent at the end of what a generator has of the half-edge: `distance`
-/// of an image that is not less than `best` may be anything that is not.
+/// The path to a point through a generator: its length and where it crosses the half-edge.
 struct Crossing {
   double distance, place;
 };
+/// Returns the path to a point through a generator, straight or bent at the end of its claim of the half-edge. If no
+/// path shorter than `best` exists, `distance` is some value >= `best`.
 Crossing way_through(const Generator& g, double length, double px, double py, double best);
 
-/// The fronts that were carried on, by half-edge: the shortest-path map. They share their nodes.
+/// The shortest-path map: the fronts that were carried on, by half-edge. Fronts share their nodes.
 class KeptFronts {
  public:
-  /// A way to a point through a kept front.
+  /// A path to a point through a kept front.
   struct Way {
-    double distance = std::numeric_limits<double>::infinity();
+    double distance = infinity;
     Index source = no_index;
     Step step;
   };
@@ -39,19 +39,20 @@ class KeptFronts {
     for (const Kept& kept : kept_) last_[kept.half_edge] = no_index;
     kept_.clear();
   }
-  /// Called before the first `keep` and `for_each`. O(half-edges) the first time.
+  /// Makes room for fronts. Precondition of `keep` and `for_each`. O(half-edges) the first time.
   void prepare(std::size_t half_edge_count) { last_.resize(half_edge_count, no_index); }
 
-  /// Fronts are numbered in the order in which they are kept: what a front came from has a lower number.
+  /// Keeps a front. Fronts are numbered in the order in which they are kept: a front has a higher number than the front
+  /// it came from.
   void keep(Index half_edge, const Front& front) {
     kept_.push_back({front, half_edge, last_[half_edge]});
     last_[half_edge] = static_cast<Index>(kept_.size() - 1);
   }
 
-  /// Number of the last one kept, no_index if there is none.
+  /// Returns the number of the last front kept, no_index if there is none.
   Index last() const { return static_cast<Index>(kept_.size()) - 1; }
 
-  /// Visits the fronts at a half-edge with numbers below `end`, and these numbers.
+  /// Calls `visit(front, number)` for the fronts kept at a half-edge with numbers below `end`, the latest first.
   template <class Visit>
   void for_each(Index half_edge, Index end, Visit&& visit) const {
     if (last_.empty()) return;

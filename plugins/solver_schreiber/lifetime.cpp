@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <array>
+#include "plugins/solver_schreiber/lifetime.hpp"
 
-#include "plugins/solver_schreiber/generator.hpp"
+#include <array>
 
 namespace geodrome::schreiber {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-/// A ray within this share of the distance between two images beside the other's ray lies on it: of a pseudo-source and
-/// the generator behind it, whose common ray it is, rounding must not tell that it is behind.
+/// A ray that lies beside the other's ray by less than this share of the distance between two images counts as lying on
+/// it: the common ray of a pseudo-source and the generator behind it must not be judged by rounding.
 constexpr double same_line = 1e-12;
 
-/// A neighbour of g, seen from g.
+/// A neighbour of g, with coordinates relative to g.
 class Rival {
  public:
-  /// The rival is on the left of g or on its right; its ray on that side bounds where it can be nearer.
+  /// Takes the neighbour on the left of g or on its right. Its ray on that side bounds where it can be nearer.
   Rival(const Generator& rival, const Generator& g, bool is_left)
       : wx_(rival.x - g.x),
         wy_(rival.y - g.y),
@@ -25,12 +23,12 @@ class Rival {
         ray_x_(is_left ? rival.high_x : -rival.low_x),
         ray_y_(is_left ? rival.high_y : -rival.low_y) {}
 
-  /// How far a ray of g goes before the rival is nearer on it. `begin` is how far it goes at least before the line on
-  /// which the wavefront is.
+  /// Returns how far a ray of g goes before the rival is nearer on it. `begin` is the least length of the ray up to the
+  /// line on which the wavefront is.
   double reach(double ux, double uy, double begin) const {
     const double nearing = 2 * (ux * wx_ + uy * wy_ - later_);
     const double equal = nearing > 0 ? product_ / nearing : infinity;
-    // inside the rival's wedge at r where turn * r + start >= 0
+    // The ray is inside the rival's wedge at r where turn * r + start >= 0.
     const double turn = ray_x_ * uy - ray_y_ * ux - same_line;
     const double start = ray_y_ * wx_ - ray_x_ * wy_ - same_line * size_;
     if (start < 0) return turn > 0 ? std::max(equal, -start / turn) : infinity;
@@ -39,8 +37,8 @@ class Rival {
     return end > begin && equal < end ? equal : infinity;
   }
 
-  /// The direction in which this rival and another are equally far off g, if there is one: u (c_a w_b - c_b w_a) = c_a
-  /// s_b - c_b s_a. Two solutions.
+  /// Computes the directions in which this rival and another are as far as g: u (c_a w_b - c_b w_a) = c_a s_b - c_b
+  /// s_a. Returns their number, 0 or 2.
   static int crossings(const Rival& a, const Rival& b, std::array<double, 4>& u) {
     const double vx = a.product_ * b.wx_ - b.product_ * a.wx_, vy = a.product_ * b.wy_ - b.product_ * a.wy_;
     const double k = a.product_ * b.later_ - b.product_ * a.later_, square = vx * vx + vy * vy;

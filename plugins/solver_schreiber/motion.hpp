@@ -20,7 +20,8 @@ struct Motion {
     return {tx + x, ty + y};
   }
 
-  /// First `b`, then `a`. The rotation is brought back to length 1, so that many motions in a row stay rigid.
+  /// Composes two motions: `b` first, then `a`. The rotation is brought back to length 1, so that many motions in a row
+  /// stay rigid.
   friend Motion operator*(const Motion& a, const Motion& b) {
     const auto [cosine, sine] = a.turn(b.cosine, b.sine);
     const auto [x, y] = a(b.x, b.y);

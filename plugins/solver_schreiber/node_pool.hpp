@@ -5,22 +5,22 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <tuple>
 #include <type_traits>
 #include <vector>
 
+#include "geodrome/geometry.hpp"
 #include "plugins/solver_schreiber/motion.hpp"
 
 namespace geodrome::schreiber {
 
-/// The nodes of sequences: counted references, memory in pages, freed nodes used again. Items are plain data.
+/// The memory of the nodes of sequences: in pages, with counted references; freed nodes are used again. Items are plain
+/// data.
 template <class Item>
 class NodePool {
  public:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-  /// A leaf holds so many items at most. Shorter leaves have smaller memory.
+  /// The most items of a leaf. Shorter leaves take less memory.
   static constexpr std::size_t leaf_size = 128;
 
   struct Node {
@@ -55,7 +55,7 @@ class NodePool {
     for (std::size_t i = 0; i < node->count; ++i) node->least_key = std::min(node->least_key, items(node)[i].key);
   }
 
-  /// The same of a leaf in which one key became another. O(1) unless that was the least.
+  /// Updates the least key of a leaf in which one key became another. O(1) unless that was the least.
   static void recount_key(Node* leaf, double before, double key) {
     if (key <= leaf->least_key)
       leaf->least_key = key;
@@ -63,7 +63,7 @@ class NodePool {
       recount(leaf);
   }
 
-  /// A leaf with room for `count` items and that count, the items of any value.
+  /// Returns a leaf of `count` items, whose values are unspecified.
   Node* leaf(std::size_t count) {
     std::uint8_t kind = 1;
     while (room(kind) < count) ++kind;
@@ -72,7 +72,7 @@ class NodePool {
     node->height = 0;
     return node;
   }
-  /// Takes over both references.
+  /// Returns an inner node. Takes over the references to both children.
   Node* inner(Node* left, Node* right, const Motion& motion) {
     Node* node = take(0);
     Inner& in = inner(node);
@@ -89,7 +89,7 @@ class NodePool {
     bytes_in_use_ -= bytes_of(node->kind);
   }
 
-  /// A node with the same content that nobody else holds. Takes over the reference.
+  /// Returns a node with the same content that nobody else holds. Takes over the reference.
   Node* own(Node* node) {
     if (node->references == 1) return node;
     if (node->height == 0) return own_with_room(node, node->count);
@@ -99,7 +99,7 @@ class NodePool {
     --node->references;
     return copy;
   }
-  /// The same for a leaf that is to hold `count` items.
+  /// Does so for a leaf, with room for `count` items.
   Node* own_with_room(Node* node, std::size_t count) {
     if (node->references == 1 && room(node->kind) >= count) return node;
     Node* copy = leaf(count);
@@ -109,7 +109,7 @@ class NodePool {
     return copy;
   }
 
-  /// The children of an inner node and their motion; the node's reference becomes references to them.
+  /// Returns the children of an inner node and their motion. The reference to the node becomes references to them.
   std::tuple<Node*, Node*, Motion> open(Node* node) {
     const Inner in = inner(node);
     if (node->references > 1) {
@@ -132,7 +132,7 @@ class NodePool {
   };
   static constexpr std::size_t page_bytes = 1 << 16, kinds = 8;
 
-  /// Items of a leaf of a kind; kind 0 is inner nodes.
+  /// Returns how many items a leaf of this kind has room for. Kind 0 is inner nodes.
   static constexpr std::size_t room(std::uint8_t kind) { return std::size_t{1} << kind; }
   static std::size_t bytes_of(std::uint8_t kind) {
     const std::size_t bytes = kind == 0 ? sizeof(Inner) : sizeof(Leaf) - (leaf_size - room(kind)) * sizeof(Item);

@@ -22,7 +22,7 @@ void PathTracer::from_crossing(const Step& step) {
   if (vertex != no_index) from_vertex(vertex);
 }
 
-/// Appends the crossings up to the pseudo-source; returns it, or no_index if that is a source that is no vertex.
+/// Appends the crossings up to the pseudo-source. Returns its vertex, or no_index if it is a source that is no vertex.
 Index PathTracer::follow(Step step) {
   for (;;) {
     out_.push_back(surface_.original(surface_.point_on(step.half_edge, step.crossing)));
@@ -32,8 +32,8 @@ Index PathTracer::follow(Step step) {
       const Onward over_corner = shortest_over_corners(below, x);
       look_for_origin(step, below, x, best);
       look_below(step, below, x, over_corner.distance, best);
-      // A front may have a gap beside a vertex at which paths bend by next to nothing. Being shorter by more than
-      // rounding, the way over that vertex does not lead back.
+      // A front may have a gap beside a vertex at which paths bend by next to nothing. The path over that vertex is
+      // taken only if it is shorter by more than rounding, so that it cannot lead back.
       if (over_corner.distance < (1 - rounding_share) * best.distance) best = over_corner;
     });
     step = best.step;
@@ -41,7 +41,8 @@ Index PathTracer::follow(Step step) {
   }
 }
 
-/// The origin of the generator, if it is in the face below. `x` is the place on `half_edge`, of that face.
+/// Considers the straight path to the origin of the generator, if the origin is in the face below. `x` is the place on
+/// `half_edge`, which is one of that face.
 void PathTracer::look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const {
   const Index face = half_edge / 3;
   const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
@@ -62,8 +63,8 @@ void PathTracer::look_for_origin(const Step& from, Index half_edge, double x, On
   }
 }
 
-/// The shortest way on through what was kept before, for a point at distance `most` at most. The origin is taken before
-/// a front that is shorter by rounding only.
+/// Considers the fronts kept before, for a point at distance `most` or less. The origin is preferred to a front that is
+/// shorter by rounding only.
 void PathTracer::look_below(const Step& from, Index half_edge, double x, double most, Onward& best) const {
   constexpr double as_short = 1 - 4 * std::numeric_limits<double>::epsilon();
   const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
@@ -79,7 +80,7 @@ void PathTracer::look_below(const Step& from, Index half_edge, double x, double 
   }
 }
 
-/// The way over the best corner of the face below.
+/// Returns the path over the best corner of the face below.
 PathTracer::Onward PathTracer::shortest_over_corners(Index half_edge, double x) const {
   const std::array<double, 3> b = surface_.point_on(half_edge, x).b;
   const Index face = half_edge / 3;

@@ -2,7 +2,6 @@
 #include "plugins/solver_schreiber/propagation.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "plugins/common/exact/bisector.hpp"
@@ -12,18 +11,16 @@
 namespace geodrome::schreiber {
 namespace {
 
-/// Whether an image is close to a half-edge: all its rays cross at nearly one place, which rounding does not tell apart
-/// any more. Such a generator goes on at once and alone, so that its rays are not bounded by places on that half-edge.
-/// (On faces without area the image lies on the half-edge.)
+/// Tells whether an image is close to a half-edge: all its rays cross at nearly one place, which rounding no longer
+/// tells apart. Such a generator goes on at once and alone, so that its rays are not bounded by places on that
+/// half-edge. (On faces without area the image lies on the half-edge.)
 bool is_close(const Generator& g, double length) {
   const double close = close_share * length;
   return -g.y <= close && 0 < g.x && g.x < length;
 }
 
-/// More than the rounding of the distance at which a generator dies.
+/// Exceeds the rounding of the distance at which a generator dies.
 constexpr double event_margin = 1e-9;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -67,7 +64,8 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
   VertexPropagation::seed_face(at, source, number);
 }
 
-/// Carries on what came to a half-edge as one front: those of one entry together, then these in their order.
+/// Carries on everything that came to a half-edge as one front: fronts of one entry are united first, then the entries
+/// are joined in their order.
 void Propagation::process(Index half_edge) {
   if (arrivals_.size() == 1) {
     Arrival arrival = std::move(arrivals_.front());
@@ -78,7 +76,7 @@ void Propagation::process(Index half_edge) {
   Front front(pool_);
   Course course{no_index};
   for (const Entry entry : {Entry::left, Entry::apex, Entry::right, Entry::loose}) {
-    Arrival same{Front(pool_), {}, entry, {no_index, Course::infinity, -Course::infinity}};
+    Arrival same{Front(pool_), {}, entry, {no_index, infinity, -infinity}};
     for (Arrival& arrival : arrivals_)
       if (arrival.entry == entry) unite(same, std::move(arrival), length);
     course.depth = std::min(course.depth, same.course.depth);
@@ -93,7 +91,7 @@ void Propagation::process(Index half_edge) {
   pass(half_edge, std::move(front), ends, course);
 }
 
-/// Fronts of one entry, which came through the same half-edge unless they are loose.
+/// Unites fronts of one entry. Unless they are loose, they came through the same half-edge.
 void Propagation::unite(Arrival& all, Arrival arrival, double length) {
   const bool is_loose = all.entry == Entry::loose;
   if (!is_loose && arrival.course.is_left_of(all.course)) {
@@ -125,7 +123,7 @@ void Propagation::pass(Index half_edge, Front front, Ends ends, Course course) {
   if (front.empty()) return;
   count_pass(half_edge, front.size());
   const double widest = surface_.longest_side(half_edge / 3);
-  // No point of the face that belongs to the front is farther; so nothing dies in it that does not die before.
+  // No point of the face that belongs to the front is farther, so whatever dies in the face dies before that distance.
   const double until = (0.5 * (ends.at_low + ends.at_high + (ends.high - ends.low)) + widest) * (1 + event_margin);
   editor_.narrow(front, apex.length, until);
   if (keep_) kept_.keep(half_edge, front);
@@ -138,8 +136,8 @@ void Propagation::pass(Index half_edge, Front front, Ends ends, Course course) {
   carry_on(apex, std::move(front), split, course, until);
 }
 
-/// Xin and Wang's filter, and what follows from it: |image x| - x falls along the half-edge, so where the way over its
-/// start is shorter at x it is shorter at everything before x too; likewise at the end.
+/// Filters a front as Xin and Wang do: |image x| - x falls along the half-edge, so where the path over its start is
+/// shorter at x, it is shorter at every place before x too; likewise at the end.
 void Propagation::filter(Front& front, Ends& ends, double length, double at_start, double at_end) {
   const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
   const auto drop = [&](std::size_t i) {
@@ -149,22 +147,22 @@ void Propagation::filter(Front& front, Ends& ends, double length, double at_star
   Generator rooms[2];
   while (!front.empty() && longer(ends.at_low, at_start + ends.low)) {
     const Generator& g = front.look(0, rooms[0]);
-    Claim claim = claim_of(g, length);
+    Interval claim = claim_of(g, length);
     if (front.size() > 1) {
       const Generator& next = front.look(1, rooms[1]);
-      Claim other = claim_of(next, length);
-      settle(g, claim, next, other);
+      Interval other = claim_of(next, length);
+      settle_pair(g, claim, next, other);
     }
     if (!longer(g.at(claim.high), at_start + claim.high)) break;
     drop(0);
   }
   while (!front.empty() && longer(ends.at_high, at_end + (length - ends.high))) {
     const Generator& g = front.look(front.size() - 1, rooms[0]);
-    Claim claim = claim_of(g, length);
+    Interval claim = claim_of(g, length);
     if (front.size() > 1) {
       const Generator& next = front.look(front.size() - 2, rooms[1]);
-      Claim other = claim_of(next, length);
-      settle(next, other, g, claim);
+      Interval other = claim_of(next, length);
+      settle_pair(next, other, g, claim);
     }
     if (!longer(g.at(claim.low), at_end + (length - claim.low))) break;
     drop(front.size() - 1);
@@ -195,8 +193,8 @@ void Propagation::carry_on(const Apex& apex, Front front, const Split& split, co
   carry(apex, std::move(right), false, course, until);
 }
 
-/// A front that is no longer in order at the apex: each generator, with what it has of the half-edge, on its own to the
-/// sides to which it has rays.
+/// Carries on a front that is out of order at the apex: each generator on its own, with what it owns of the half-edge,
+/// to the sides to which it has rays.
 void Propagation::carry_one_by_one(const Apex& apex, const Front& front, const Course& course, double until) {
   ++counts_.tangled;
   const double x = apex.x, y = apex.y;
@@ -230,7 +228,7 @@ void Propagation::carry_one_by_one(const Apex& apex, const Front& front, const C
   lower_along_edges(apex);
 }
 
-/// Hands on what goes through the left or right edge of a face.
+/// Carries a front through the left or right edge of a face.
 void Propagation::carry(const Apex& apex, Front front, bool to_left, Course course, double until) {
   if (front.empty() || (to_left ? apex.left_is_boundary() : apex.right_is_boundary())) return;
   const double cosine = apex.face.cosine[to_left ? apex.a : apex.b], sine = apex.face.sine[to_left ? apex.a : apex.b];
@@ -246,7 +244,8 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Course cour
   hand_on(std::move(front), ends, to_left ? apex.left() : apex.right(), to_left ? Entry::left : Entry::right, course);
 }
 
-/// Lets a front wait at every other half-edge on an edge. It is in the frame of one that runs against `edge`.
+/// Lets a front wait at every other half-edge on an edge. The front is in the frame of a half-edge that runs against
+/// `edge`.
 void Propagation::hand_on(Front front, const Ends& ends, Index edge, Entry entry, const Course& course) {
   const double length = surface_.length(edge);
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
-#include "plugins/common/exact/vertex_propagation.hpp"
 #include "geodrome/shortest_path_solver.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
+#include "plugins/common/exact/vertex_propagation.hpp"
 #include "plugins/solver_schreiber/front.hpp"
 #include "plugins/solver_schreiber/kept_fronts.hpp"
 #include "plugins/solver_schreiber/path_tracer.hpp"
@@ -26,15 +26,17 @@ struct Counts {
   std::uint64_t tangled = 0;   ///< fronts whose generators were carried one by one
 };
 
-/// Whole wavefronts carried over a surface from its sources, half-edge by half-edge, nearest first (Schreiber 2010).
-/// All distances are those of the flat surface, and so are the numbers of faces and vertices. Used again and again: a
+/// Carries whole wavefronts over a surface from its sources, half-edge by half-edge, nearest first (Schreiber 2010).
+/// All distances are those of the packed mesh, and so are the numbers of faces and vertices. Used again and again: a
 /// run costs what it reaches.
 ///
-/// Why distances are exact: what a generator has of a front are straight paths that exist, so none is too short; a
-/// generator, or the part of its wedge on one side of a vertex, is dropped only by the lemma of FrontEditor or where a
-/// way over a vertex is shorter, so the shortest path is never dropped. Why it ends: a shortest path crosses no face
-/// twice, so fronts deeper than the number of faces are dropped; then there are finitely many paths, and a vertex emits
-/// again only for a shorter one.
+/// Distances are exact: the rays of a generator that count are straight paths that exist, so none is too short; a
+/// generator, or the part of its wedge on one side of a vertex, is dropped only by the lemma of ordered neighbours
+/// (ordered_pair.hpp) or where a path over a vertex is shorter, so the shortest path is never dropped. A run ends: a
+/// shortest path crosses no face twice, so fronts deeper than the number of faces are dropped; that leaves finitely
+/// many paths, and a vertex emits again only for a shorter one.
+///
+/// The members are in propagation.cpp, but for what happens at an apex (at_apex.cpp) and after a run (ways.cpp).
 class Propagation : public VertexPropagation<Propagation, Step> {
  public:
   using Settings = schreiber::Settings;

@@ -20,7 +20,7 @@ template <class Item>
 class Sequence {
  public:
   using Pool = NodePool<Item>;
-  static constexpr double none = Pool::infinity;
+  static constexpr double none = geodrome::infinity;
 
   Sequence() = default;
   explicit Sequence(Pool& pool) : pool_(&pool) {}
@@ -28,7 +28,7 @@ class Sequence {
     Pool::items(root_)[0] = item;
     Pool::recount(root_);
   }
-  /// Of many items at once. O(n).
+  /// Makes a sequence of many items. O(n).
   Sequence(Pool& pool, std::span<const Item> items) : pool_(&pool) {
     if (!items.empty()) root_ = built(items);
   }
@@ -48,16 +48,17 @@ class Sequence {
   std::size_t size() const { return root_ ? root_->count : 0; }
   bool empty() const { return !root_; }
   double least_key() const { return root_ ? root_->least_key : none; }
-  /// Whether it is one array, so that walking along it is as fast as anything.
+  /// Tells whether the sequence is one array, which is the fastest to walk along.
   bool is_flat() const { return !root_ || root_->height == 0; }
 
-  /// O(1) for trees; arrays are moved as they are, so that their items can be read where they lie.
+  /// Moves all items. O(1) for trees; the items of an array are moved as they are, so that they can be read where they
+  /// lie.
   void move(const Motion& motion) {
     motion_ = motion * motion_;
     if (is_flat()) settle();
   }
 
-  /// O(log n).
+  /// Returns item i. O(log n).
   Item operator[](std::size_t i) const {
     const Node* node = root_;
     if (node->height == 0) return Pool::items(node)[i];
@@ -74,7 +75,7 @@ class Sequence {
     }
     return Pool::items(node)[i].moved(motion);
   }
-  /// The same without a copy if it is one array; otherwise in `room`.
+  /// Returns item i, without a copy if the sequence is one array, otherwise in `room`.
   const Item& look(std::size_t i, Item& room) const {
     if (root_->height == 0) return Pool::items(root_)[i];
     room = (*this)[i];
@@ -99,7 +100,7 @@ class Sequence {
     update(i, [key](Item& item, const Motion&) { item.key = key; });
   }
 
-  /// The first item from `from` on with a key at most `limit`; size() if there is none. O(log n).
+  /// Returns the first item from `from` on with a key at most `limit`; size() if there is none. O(log n).
   std::size_t first_key_at_most(double limit, std::size_t from) const { return root_ ? find(root_, limit, from) : 0; }
 
   /// Removes item i. O(log n).
@@ -287,7 +288,7 @@ class Sequence {
     return {joined(left, halves.left, motion), halves.right, motion * halves.motion};
   }
 
-  /// `motion` is that from the frame of b to that of a, which is also the result's.
+  /// Joins two trees. `motion` leads from the frame of b to that of a, which is also the frame of the result.
   Node* joined(Node* a, Node* b, const Motion& motion) {
     if (a->height == 0 && b->height == 0 && a->count + b->count <= Pool::leaf_size) return fused(a, b, motion);
     if (a->height > b->height + 1 || (b->height == 0 && a->height > 0)) {
@@ -301,7 +302,7 @@ class Sequence {
     return pool_->inner(a, b, motion);
   }
 
-  /// The same for heights that differ by two at most.
+  /// Joins two trees with heights that differ by two at most.
   Node* balanced(Node* a, Node* b, const Motion& motion) {
     if (b->height > a->height + 1) {
       const auto [left, right, inner] = pool_->open(b);

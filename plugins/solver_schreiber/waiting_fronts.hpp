@@ -2,28 +2,27 @@
 #pragma once
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "geodrome/solver_kit/indexed_heap.hpp"
 #include "plugins/common/exact/entry.hpp"
-#include "plugins/common/mesh/indexed_heap.hpp"
 #include "plugins/solver_schreiber/front.hpp"
 
 namespace geodrome::schreiber {
 
-/// How a front came to a half-edge.
+/// The course of a front: how it came to a half-edge.
 struct Course {
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  Index depth = 1;  ///< lower bound of the faces crossed since the pseudo-source
+  double low = -infinity,
+         high = infinity;  ///< its claim on the half-edge before; if it is several fronts, from the first to the last
 
-  Index depth = 1;                          ///< faces crossed since the pseudo-source, at least
-  double low = -infinity, high = infinity;  ///< what it had of the half-edge before; of several, all between is theirs
-
-  /// Whether its rays crossed the half-edge before to the left of those of another front that came through it.
+  /// Tells whether the rays of this front crossed the half-edge before to the left of those of another front that came
+  /// through it.
   bool is_left_of(const Course& other) const { return high <= other.low; }
-  /// Seen from a half-edge that runs the other way.
+  /// Returns the course as seen from a half-edge that runs the other way.
   Course mirrored() const { return {depth, -high, -low}; }
-  /// Of two fronts that became one.
+  /// Returns the course of the front that two fronts make together.
   Course with(const Course& other) const {
     return {std::min(depth, other.depth), std::min(low, other.low), std::max(high, other.high)};
   }
@@ -37,7 +36,7 @@ struct Arrival {
   Course course;
 };
 
-/// What waits: fronts at half-edges and vertices that are to emit, in a queue, nearest first.
+/// The queue: fronts that wait at half-edges and vertices that are to emit, nearest first.
 class WaitingFronts {
  public:
   WaitingFronts(std::size_t half_edge_count, std::size_t vertex_count)
@@ -57,7 +56,7 @@ class WaitingFronts {
     queue_.push(half_edge, key);
   }
 
-  /// Takes the nearest: a half-edge, with what waited there in `arrivals`, the last come first, or a vertex.
+  /// Takes the nearest half-edge or vertex. `arrivals` gets the fronts that waited at a half-edge, the last one first.
   struct Next {
     Index half_edge = no_index, vertex = no_index;
   };
@@ -72,7 +71,7 @@ class WaitingFronts {
     return {element, no_index};
   }
 
-  /// Drops all that waits.
+  /// Drops everything that waits.
   void clear() {
     std::vector<Arrival> dropped;
     while (!empty()) pop(dropped);

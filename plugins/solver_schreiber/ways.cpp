@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a propagation tells after a run.
+// The members of Propagation that answer after a run.
 #include "plugins/solver_schreiber/claimant.hpp"
 #include "plugins/solver_schreiber/path_tracer.hpp"
 #include "plugins/solver_schreiber/propagation.hpp"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "geodrome/spatial_order.hpp"
 #include "plugins/common/points/live_points.hpp"
 #include "plugins/common/points/local_plane.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 #include "plugins/tangent_jet/noise.hpp"
 #include "plugins/tangent_jet/smoothing.hpp"
 

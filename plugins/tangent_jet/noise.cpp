@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -105,7 +104,7 @@ double variance_left(double sigma, std::size_t level) {
 /// The neighbourhood of the least expected squared error at its centre, or the smallest that is good enough.
 std::size_t best_neighbourhood(const Levels& levels, double sigma, double spacing) {
   std::size_t best = 1;
-  double least = std::numeric_limits<double>::infinity();
+  double least = infinity;
   for (std::size_t level = 1; level < levels.s.size(); ++level) {
     const double left_out = std::max(0.0, levels.s[level] * levels.s[level] - sigma * sigma);
     const double variance = variance_left(sigma, level);

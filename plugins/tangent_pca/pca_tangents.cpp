@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/tangent_pca/pca_tangents.hpp"
 
+#include "geodrome/spatial_order.hpp"
 #include "plugins/common/parallel_for.hpp"
 #include "plugins/common/points/local_plane.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geodrome/spatial_order.hpp"
 #include "plugins/common/parallel_for.hpp"
 #include "plugins/common/points/local_plane.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 #include "plugins/tangent_pole/poles.hpp"
 
 namespace geodrome {

@@ -13,7 +13,6 @@ namespace geodrome {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
 /// Pairs that a thread takes at once: a query may take less time than taking it.

@@ -16,6 +16,9 @@ using Index = std::uint32_t;
 /// "There is no such element."
 inline constexpr Index no_index = std::numeric_limits<Index>::max();
 
+/// The distance of what cannot be reached.
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
 /// A point or a direction in space, in the units of the input.
 struct Vec3 {
   double x = 0, y = 0, z = 0;

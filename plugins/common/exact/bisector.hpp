@@ -6,24 +6,27 @@
 
 namespace geodrome {
 
-// Also compiled for processors that not everybody has. So what is here is static, or a template that code for such a
-// processor uses with types of its own: no copy made for one processor is linked into the code for another.
+// This header is also compiled for processors that not everybody has. So everything here is static, or a template that
+// code for such a processor uses with types of its own: no copy made for one processor is linked into the code for
+// another.
 
-/// Two distances along a path that differ by less than this share of them are equal: a few roundings.
+/// Two distances along a path are equal if they differ by less than this share of them: a few roundings.
 inline constexpr double equal_share = 8 * std::numeric_limits<double>::epsilon();
 
-/// Shorter by more than rounding.
+/// Tells whether distance a is shorter than b by more than rounding.
 static inline bool nearer(double a, double b) { return a < b - equal_share * b; }
 
-// For doubles, what registers of doubles have as well.
+// Give doubles the operations that registers of doubles have.
 static inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 static inline double root(double v) { return std::sqrt(v); }
 
-/// Where the line y = 0 meets the bisector of two images: points p = (x, 0) with |p - g1| + s1 = |p - g2| + s2, h1 and
-/// h2 the heights of the line above the images. A quadratic equation for t = x - x1, of which the root is wanted at
-/// which image 2 becomes the nearer one. With w = g2 - g1, s = s2 - s1, c = w^2 - s^2, beta = w_y h1 - c/2 and Q =
-/// sqrt(c (4 h1 h2 + c)) / 2 it is t = (s Q - w_x beta) / (w_x^2 - s^2) = (s^2 h1^2 - beta^2) / (s Q + w_x beta),
-/// whichever does not cancel. Any value, or NaN, where they do not meet: check the result. `Number` is double or a
+/// Returns the x at which the line y = 0 meets the bisector of two images: points p = (x, 0) with |p - g1| + s1 = |p -
+/// g2| + s2; h1 and h2 are the heights of the line above the images. The result is any value, or NaN, if they do not
+/// meet: check it.
+///
+/// With w = g2 - g1, s = s2 - s1, c = w^2 - s^2, beta = w_y h1 - c/2 and Q = sqrt(c (4 h1 h2 + c)) / 2 the root of the
+/// quadratic equation for t = x - x1 at which image 2 becomes the nearer one is t = (s Q - w_x beta) / (w_x^2 - s^2) =
+/// (s^2 h1^2 - beta^2) / (s Q + w_x beta), of which the form that does not cancel is used. `Number` is double or a
 /// register of doubles.
 template <class Number>
 Number bisector_place(const Number& x1, const Number& h1, const Number& s1, const Number& x2, const Number& h2,
@@ -38,9 +41,9 @@ Number bisector_place(const Number& x1, const Number& h1, const Number& s1, cons
   return x1 + above / below;
 }
 
-/// Where images a and b (members x, y, sigma, and `at(x)`, the distance at (x, 0)) are equally far, a place in [low,
-/// high]: a is nearer at one end, b at the other. By the formula if it holds, otherwise by regula falsi (Illinois),
-/// which keeps the root between its ends.
+/// Returns a place in [low, high] at which images a and b are equally far, if a is nearer at one end and b at the
+/// other. An `Image` has members x, y, sigma, and `at(x)`, the distance at (x, 0). The formula is used where it holds,
+/// otherwise regula falsi (Illinois), which keeps the root between its ends.
 template <class Image>
 double equal_place(const Image& a, const Image& b, double low, double high) {
   const double formula = bisector_place(a.x, -a.y, a.sigma, b.x, -b.y, b.sigma);

@@ -5,7 +5,7 @@
 
 namespace geodrome {
 
-/// Where the lines of a wavefront entered the face below a half-edge, in the order in which such lines cross the
+/// The entry of a wavefront: where its rays entered the face below a half-edge. In this order such rays cross the
 /// half-edge without crossing each other.
 enum class Entry : std::uint8_t {
   left,   ///< through the edge at the start of the half-edge
@@ -14,7 +14,7 @@ enum class Entry : std::uint8_t {
   loose   ///< in no order with others: from a source in the face, or across an edge of more than two faces
 };
 
-/// The same, seen from a half-edge that runs the other way.
+/// Returns the entry as seen from a half-edge that runs the other way.
 inline Entry mirrored(Entry entry) {
   if (entry == Entry::left) return Entry::right;
   return entry == Entry::right ? Entry::left : entry;

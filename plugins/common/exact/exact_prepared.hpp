@@ -8,13 +8,13 @@
 
 namespace geodrome {
 
-/// A mesh made ready for searches with a `Propagation` (PropagationSearch says what that is).
+/// A mesh made ready for searches with a propagation. Immutable.
 template <class Propagation>
 class ExactPrepared final : public PreparedSurface {
  public:
   using Settings = typename Propagation::Settings;
 
-  /// O(F log F). Throws CapabilityError for a mesh of 2^30 half-edges or more.
+  /// Packs the mesh. O(F log F). Throws CapabilityError for a mesh of 2^30 half-edges or more.
   ExactPrepared(MeshPtr mesh, const Settings& settings)
       : surface_(std::make_shared<const PackedMesh>(std::move(mesh))), settings_(settings) {}
 
@@ -28,13 +28,12 @@ class ExactPrepared final : public PreparedSurface {
   Settings settings_;
 };
 
-/// ShortestPathSolver::prepare of an exact solver. Throws CapabilityError for face weights as well.
+/// Implements ShortestPathSolver::prepare of an exact solver. Throws CapabilityError for face weights as well.
 template <class Propagation>
 std::unique_ptr<PreparedSurface> prepare_exact(MeshPtr mesh, const typename Propagation::Settings& settings,
                                                RunContext& context) {
   context.throw_if_cancelled();
-  if (!mesh->face_weights().empty())
-    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+  require_unweighted(*mesh);
   return std::make_unique<ExactPrepared<Propagation>>(std::move(mesh), settings);
 }
 

@@ -9,13 +9,13 @@
 
 #include "geodrome/run_context.hpp"
 #include "geodrome/shortest_path_solver.hpp"
-#include "plugins/common/mesh/apex.hpp"
-#include "plugins/common/mesh/emission.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/entry.hpp"
-#include "plugins/common/mesh/packed_mesh.hpp"
-#include "plugins/common/mesh/labels.hpp"
 #include "plugins/common/exact/tolerances.hpp"
 #include "plugins/common/exact/watched_target.hpp"
+#include "plugins/common/mesh/apex.hpp"
+#include "plugins/common/mesh/emission.hpp"
+#include "plugins/common/mesh/labels.hpp"
 
 namespace geodrome {
 
@@ -26,35 +26,36 @@ struct PseudoSource {
   Index origin;  ///< a vertex, or `vertex count + i` for source i of the request
 };
 
-/// What exact propagations have in common, whatever carries their straight lines across faces: labels of vertices, ways
-/// along edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances
-/// are those of the flat surface, and so are the numbers of faces and vertices. It makes up a part of what PropagationSearch
-/// asks for.
+/// The base of exact propagations, whatever carries their straight lines across faces: labels of vertices, paths along
+/// edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances are
+/// those of the packed mesh, and so are the numbers of faces and vertices. It makes up a part of MeshPropagation
+/// (propagation.hpp).
 ///
-/// `Step` is that of Labels, with a member `vertex` for a way along an edge from that vertex. A
-/// `Solver` derives from VertexPropagation<Solver, Step>, so that calls are bound when it is compiled, and has
+/// `Step` is that of Labels, with a member `vertex` for a path along an edge from that vertex. A `Solver` derives from
+/// VertexPropagation<Solver, Step>, so that calls are bound when it is compiled, and has
+///
 /// - `waiting()`: the queue, with `bool empty() const` and `void push_vertex(Index vertex, double distance)`;
 /// - `void next()`: takes the nearest from the queue; a vertex goes to `emit`, a half-edge is for the solver;
-/// - `void send_wedge(const Apex&, const PseudoSource& from, double to_end, Entry)`: lets all lines from a point of a
+/// - `void send_wedge(const Apex&, const PseudoSource& from, double to_end, Entry)`: lets all rays from a point of a
 ///   face wait beyond a half-edge of it, `apex.half_edge`, in whose frame the point is. `to_end` is the length of the
 ///   half-edge less from.x, told apart from 0 where rounding would not;
-/// - if it likes, `polled` and `seed_face` in place of those here.
+/// - optionally `polled` and `seed_face` in place of those here.
 template <class Solver, class Step>
 class VertexPropagation {
  public:
-  /// `run` polls once in so many steps.
+  /// `run` polls for cancelling and a new limit once in so many steps.
   static constexpr std::size_t steps_a_poll = 256;
 
-  /// Starts at a source; its start distance is in the surface's units, its point has the mesh's own face number.
-  /// Precondition: `begin`. O(1) and what waiting costs.
+  /// Starts at a source. Its start distance is in the units of the packed mesh, its point has the face number of the
+  /// mesh itself. Precondition: `begin`. O(1) and what waiting costs.
   void seed(const Source& source, Index number);
 
-  /// To be lowered by `run`, in ascending order of faces.
+  /// Returns the points that `run` lowers, in ascending order of faces.
   std::vector<Watched>& watched() { return watched_; }
   const std::vector<Watched>& watched() const { return watched_; }
 
-  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may give a new one.
-  /// May throw Cancelled.
+  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may return a new
+  /// limit. May throw Cancelled.
   template <class LowerLimit>
   void run(const RunContext& context, LowerLimit&& lower_limit) {
     for (std::size_t step = 0; !solver().waiting().empty(); ++step) {
@@ -72,30 +73,31 @@ class VertexPropagation {
 
   /// Forgets the last run: labels, watched points, limit. O(what it touched).
   void begin(bool keep, double limit);
-  /// For a solver that looks now and then how its run goes.
+  /// Is called now and then, for a solver that watches its run.
   void polled() {}
 
-  /// The number of the source that lines from this origin come from.
+  /// Returns the number of the source that rays from this origin start at.
   Index source_of(Index origin) const {
     const auto vertices = static_cast<Index>(surface_.vertex_count());
     return origin < vertices ? labels_[origin].source : origin - vertices;
   }
 
-  /// The pseudo-source that a vertex is, into all faces where a shortest path can go on. O(degree).
+  /// Sends rays from a vertex, as a pseudo-source, into all faces where a shortest path can go on. O(degree).
   void emit(Index vertex);
-  /// Lowers the apex by the ways along the two edges at it.
+  /// Lowers the distance of the apex by the paths along the two edges at it.
   void lower_along_edges(const Apex& apex);
-  /// Lowers the apex by a way of this length from a pseudo-source below its half-edge: straight if `x` is that of the
-  /// pseudo-source, else bent at (x, 0). `step()` makes the step of that way.
+  /// Lowers the distance of the apex by a path of this length from a pseudo-source below its half-edge: straight if `x`
+  /// is that of the pseudo-source, else bent at (x, 0). `step()` makes the step of that path.
   template <class MakeStep>
   void lower_apex_from(const Apex& apex, const PseudoSource& from, double x, double distance, MakeStep&& step);
   /// Calls `visit(watched, x, y)` for every watched point in the face of a half-edge, at (x, y) in the frame of that.
   template <class Visit>
   void for_each_watched(Index half_edge, Visit&& visit);
-  /// A source in a face or on its edge: the corners, and wedges through the edges that it is not on.
+  /// Starts at a source in a face or on its edge: lowers the corners, and sends wedges through the edges that the
+  /// source is not on.
   void seed_face(const SurfacePoint& at, const Source& source, Index number);
 
-  /// Times a vertex became a pseudo-source in this run.
+  /// Counts how often a vertex became a pseudo-source in this run.
   std::uint64_t emissions() const { return emissions_; }
   std::size_t bytes() const { return labels_.bytes() + watched_.capacity() * sizeof(Watched); }
 
@@ -160,8 +162,8 @@ void VertexPropagation<Solver, Step>::lower_apex_from(const Apex& apex, const Ps
   lower(vertex, {distance, side, apex.left(), source_of(from.origin)}, step());
 }
 
-/// A way from a pseudo-source in the same place as a vertex, and about as short as the one that it has: which of them
-/// is the shorter is rounding, so the vertex goes on to all sides.
+/// Lets a vertex emit to all sides if a path reaches it from a pseudo-source in the same place and is about as short as
+/// its own: which of the two is the shorter is rounding.
 template <class Solver, class Step>
 void VertexPropagation<Solver, Step>::widen(Index vertex, double distance, double length) {
   const double present = labels_.distance(vertex);
@@ -191,7 +193,8 @@ void VertexPropagation<Solver, Step>::emit(Index vertex) {
   for (const Index corner : emitting_) emit_into(corner);
 }
 
-/// A wedge from the vertex at which `corner` starts to the opposite edge, and the ways along the two edges at it.
+/// Sends a wedge from the vertex at which `corner` starts to the opposite edge, and lowers the ends of the two edges at
+/// it.
 template <class Solver, class Step>
 void VertexPropagation<Solver, Step>::emit_into(Index corner) {
   const Apex apex(surface_, SurfaceMesh::next(corner));  // its apex is the vertex

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
-
 #include "geodrome/surface.hpp"
 
 namespace geodrome {
 
-/// A point in a face whose distance is lowered while windows pass over it.
+/// A point in a face whose distance is lowered while wavefronts pass over it.
 struct Watched {
   SurfacePoint at;  ///< with the face's number in the flat surface
-  double distance = std::numeric_limits<double>::infinity();
+  double distance = infinity;
   Index source = no_index;
 };
 

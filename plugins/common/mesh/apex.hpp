@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <tuple>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/mesh/labels.hpp"
 
 namespace geodrome {
 
-/// A face seen from one of its half-edges: start A, end B, the third corner C, its apex, at (x, y). What enters through
-/// the half-edge leaves through the edge from C to A on its left or that from B to C on its right.
+/// A face seen from one of its half-edges: start A, end B, the third corner C, its apex, at (x, y). Whatever enters
+/// through the half-edge leaves through the edge from C to A on its left or the edge from B to C on its right.
 struct Apex {
   Index half_edge;
   const PackedMesh::Face& face;
@@ -31,7 +31,7 @@ struct Apex {
   bool left_is_boundary() const { return face.across[c] == no_index; }
   bool right_is_boundary() const { return face.across[b] == no_index; }
   Angle angle(int corner) const { return {face.cosine[corner], face.sine[corner]}; }
-  /// The direction (dx, dy) from the apex into the face, as an angle from its left edge.
+  /// Returns the direction (dx, dy) from the apex into the face, as an angle from its left edge.
   Angle side(double dx, double dy) const { return angle_of(-x * dx - y * dy, std::max(0.0, y * dx - x * dy)); }
 };
 

@@ -7,8 +7,8 @@
 namespace geodrome {
 namespace {
 
-/// Directions are widened by this angle (rad): more than the error of the direction of the way that came in. A window
-/// too many costs little.
+/// Directions are widened by this angle (rad), which is more than the error of the direction of the path that came in.
+/// A window too many costs little.
 constexpr double margin = 1e-3;
 
 Angle angle_at(const PackedMesh& surface, Index corner) {
@@ -18,8 +18,8 @@ Angle angle_at(const PackedMesh& surface, Index corner) {
 
 enum class Way { counterclockwise, clockwise };
 
-/// How many corners after position `at` (around a vertex) end before a half turn from where the path came in; `turned`
-/// is the angle to the far side of the corner at `at`. At most all others, and on the boundary those up to it.
+/// Returns how many corners after position `at` (around a vertex) end before a half turn from where the path came in:
+/// at most all others, and on the boundary those up to it. `turned` is the angle to the far side of the corner at `at`.
 std::size_t corners_before_half_turn(const PackedMesh& surface, std::span<const Index> corners, std::size_t at,
                                      Angle turned, Way way, bool closed) {
   static const Angle widening{std::cos(margin), std::sin(margin)};

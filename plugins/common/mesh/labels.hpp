@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "geodrome/geometry.hpp"
@@ -21,7 +20,7 @@ struct Angle {
   }
 };
 
-/// That of the direction (x, y), from the x axis; where there is no direction, the angle 0.
+/// Returns the angle of the direction (x, y), from the x axis; if there is no direction, the angle 0.
 inline Angle angle_of(double x, double y) {
   const double size = std::sqrt(x * x + y * y);
   return size > 0 ? Angle{x / size, y / size} : Angle{};
@@ -29,21 +28,21 @@ inline Angle angle_of(double x, double y) {
 
 inline constexpr Angle no_angle{0, 0};
 
-/// The shortest way to a vertex that was found so far.
+/// The label of a vertex: the shortest path to it that was found so far.
 struct Label {
-  double distance = std::numeric_limits<double>::infinity();
-  /// From which side it comes: this angle counterclockwise from half-edge `corner`, which starts at the vertex. It is
-  /// known at saddles only. No corner: the vertex is a source.
+  double distance = infinity;
+  /// The side from which the path comes: this angle counterclockwise from half-edge `corner`, which starts at the
+  /// vertex. It is known at saddles only. Without a corner the vertex is a source.
   Angle side;
   Index corner = no_index;
   Index source = no_index;  ///< of the request
 
-  /// It comes from so near that it goes on to all sides. Written as an angle that is none.
+  /// Tells whether the path comes from so near that the vertex emits to all sides; written as an angle that is none.
   bool all_sides() const { return side.cosine == 0 && side.sine == 0; }
 };
 
 /// The labels of all vertices, and their steps if paths are wanted: a solver's own `Step`, default constructible, says
-/// how a path goes on from a vertex. Forgetting costs what was touched.
+/// how a path goes on from a vertex. Forgetting a run costs what it touched.
 template <class Step>
 class Labels {
  public:
@@ -61,8 +60,8 @@ class Labels {
     with_steps_ = with_steps;
   }
 
-  /// Precondition: label.distance is lower than the present one. If it is so by next to nothing, the vertex still goes
-  /// on to all sides if it did.
+  /// Sets the label of a vertex. Precondition: label.distance is lower than the present one. If it is lower by next to
+  /// nothing, a vertex that emits to all sides still does.
   void set(Index vertex, const Label& label, const Step& step) {
     constexpr double next_to_nothing = 1e-9;
     const Label present = labels_[vertex];
@@ -72,7 +71,7 @@ class Labels {
     if (with_steps_) steps_[vertex] = step;
   }
 
-  /// Precondition: the vertex has a label.
+  /// Lets a vertex emit to all sides. Precondition: the vertex has a label.
   void widen(Index vertex) { labels_[vertex].side = no_angle; }
 
   std::size_t bytes() const {

@@ -37,8 +37,8 @@ bool CellRadiusFinder::cut(Index other) {
   return cell_.cut({x / length, y / length, squared_norm(d) / (2 * length), other});
 }
 
-/// Neighbours in increasing distance until the next one is farther than twice the farthest corner: such a one cuts
-/// nothing. True if it came to that, or to the last point.
+/// Cuts the cell by neighbours in increasing distance until the next one is farther than twice the farthest corner, and
+/// so cuts nothing. Returns true if it came to that, or to the last point.
 bool CellRadiusFinder::cut_by_near(Index site) {
   std::size_t done = 0;
   for (std::size_t k = first_neighbours; k <= near_neighbours; k *= 2) {
@@ -61,7 +61,7 @@ void CellRadiusFinder::cut_by_far(Index site) {
     const CellCorner& corner = cell_.corners()[i];
     neighbours_.nearest(position(corner), 1, found_);
     const Index other = found_.front().index;
-    // The site itself, or one whose edge is there already, is no nearer than the site but for rounding.
+    // This is the site itself, or one whose edge is there already: no nearer than the site but for rounding.
     const bool tried = std::find(tried_.begin(), tried_.end(), other) != tried_.end();
     if (!tried) tried_.push_back(other);
     // A cut renumbers the corners. Asking all of them again costs little: there are some six.

@@ -15,8 +15,8 @@ struct CellRadius {
   bool bounded = false;
 };
 
-/// Twice the largest distance from the centroid: no two points are farther apart, and a cell that goes farther than the
-/// sample does has no end. Unlike the bounding box it turns with the sample. At least one point. O(n).
+/// Returns twice the largest distance from the centroid: no two points are farther apart, and a cell that goes farther
+/// than the sample does has no end. Unlike the bounding box it turns with the sample. At least one point. O(n).
 double sample_reach(std::span<const Vec3> points);
 
 /// Computes phi(s) of Theorem 3: the distance of s from the farthest vertex of the planar Voronoi cell of s, which is
@@ -31,10 +31,11 @@ class CellRadiusFinder {
   /// `reach`: how far a cell may go before it counts as one without an end. `neighbours` must outlive this object.
   CellRadiusFinder(const Neighbours& neighbours, double reach) : neighbours_(neighbours), reach_(reach) {}
 
-  /// `normal` is a unit vector. Throws SampleError if no other point limits the cell of `site`. O(log n) typically.
+  /// Computes phi of a site. `normal` is a unit vector. Throws SampleError if no other point limits the cell of `site`.
+  /// O(log n) typically.
   CellRadius operator()(Index site, const Vec3& normal);
 
-  /// The cell of the last call, in its tangent plane, and where a corner of it is in space.
+  /// Return the cell of the last call, in its tangent plane, and where a corner of it is in space.
   const PlanarCell& cell() const noexcept { return cell_; }
   Vec3 position(const CellCorner& corner) const { return origin_ + corner.x * u_ + corner.y * v_; }
 

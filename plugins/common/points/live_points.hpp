@@ -16,7 +16,7 @@ struct LivePoints {
   std::size_t size() const noexcept { return points.size(); }
 };
 
-/// `state` has one entry per point of `sample`. O(n).
+/// Packs the points. `state` has one entry per point of `sample`. O(n).
 LivePoints live_points(const PointSample& sample, std::span<const PointState> state);
 
 }  // namespace geodrome

@@ -10,10 +10,10 @@ namespace {
 
 constexpr std::size_t leaf_size = 8;
 
-/// The one expression for values and bounds: it must not be written twice.
+/// Evaluates the one expression for values and bounds: it must not be written twice.
 double cone(double weight, double slope, const Vec3& difference) { return weight - slope * norm(difference); }
 
-/// Distance from `x` to the interval, without sign; 0 inside.
+/// Returns the distance from `x` to the interval, without sign; 0 inside.
 double outside(double x, double low, double high) { return std::max({low - x, x - high, 0.0}); }
 
 double coordinate(const Vec3& p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }

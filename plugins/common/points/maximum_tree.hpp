@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -9,22 +8,22 @@
 
 namespace geodrome {
 
-/// Upper envelope of cones: max over i of weight(i) - slope |x p(i)|, by branch and bound over a kd-tree whose nodes
-/// hold the largest weight below them.
-///
-/// The result is bitwise that of the plain loop over all points: rounding is monotone, and a node's bound is computed
-/// by the same expression as a point's value, from differences that are nowhere larger; so no bound ever falls below a
-/// value in its node. Immutable; thread-safe.
+/// The upper envelope of cones: max over i of weight(i) - slope |x p(i)|, by branch and bound over a kd-tree whose
+/// nodes hold the largest weight below them. The result is bitwise that of the plain loop over all points: rounding is
+/// monotone, and a node's bound is computed by the same expression as a point's value, from differences that are
+/// nowhere larger; so no bound ever falls below a value in its node. Immutable; thread-safe.
 class MaximumTree {
  public:
-  /// As many finite `weights` as `points`, at least one; `slope` >= 0. O(n log n); about 50 bytes a point.
+  /// Builds the tree of as many finite `weights` as `points`, at least one; `slope` >= 0. O(n log n); about 50 bytes a
+  /// point.
   MaximumTree(std::span<const Vec3> points, std::span<const double> weights, double slope);
 
-  /// The envelope at `x`. `at_least`: any number that the result is known not to fall below; the closer, the faster.
-  /// A search near the previous one may derive it from that: the envelope changes by at most slope times the distance.
-  double evaluate(const Vec3& x, double at_least = -std::numeric_limits<double>::infinity()) const;
+  /// Returns the envelope at `x`. `at_least` is any number that the result is known not to fall below; the closer, the
+  /// faster. A search near the previous one may derive it from that: the envelope changes by at most slope times the
+  /// distance.
+  double evaluate(const Vec3& x, double at_least = -infinity) const;
 
-  /// The indices of the points in the order of the leaves: neighbours in this order are near each other.
+  /// Returns the indices of the points in the order of the leaves: neighbours in this order are near each other.
   std::span<const Index> leaf_order() const noexcept { return order_; }
 
  private:

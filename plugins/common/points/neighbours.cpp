@@ -16,8 +16,8 @@ namespace {
 
 using Tree = flann::KDTreeSingleIndex<flann::L2_3D<double>>;
 
-/// FLANN leaves out what is as far as the limit, and sums up box distances with a rounding error of a few ulp a level
-/// of the tree. A search limit raised by this much reaches every point that is not farther than `squared`.
+/// Raises a search limit so that it reaches every point that is not farther than `squared`: FLANN leaves out what is as
+/// far as the limit, and sums up box distances with a rounding error of a few ulp a level of the tree.
 constexpr double search_slack = 1e-12;
 double raised(double squared) { return squared * (1 + search_slack) + std::numeric_limits<double>::min(); }
 
@@ -29,9 +29,7 @@ class NearestResult final : public flann::ResultSet<double> {
   NearestResult(std::size_t k, Index without, std::vector<Neighbour>& out) : k_(k), without_(without), out_(out) {}
 
   bool full() const override { return out_.size() == k_; }
-  double worstDist() const override {
-    return full() ? raised(out_.back().squared_distance) : std::numeric_limits<double>::infinity();
-  }
+  double worstDist() const override { return full() ? raised(out_.back().squared_distance) : infinity; }
   void addPoint(double squared_distance, std::size_t index) override {
     const Neighbour found{squared_distance, static_cast<Index>(index)};
     if (found.index == without_) return;

@@ -23,8 +23,8 @@ struct Neighbour {
 /// Every search replaces `out` and leaves out the point `without`, where one is given. Immutable; thread-safe.
 class Neighbours {
  public:
-  /// Points should be distinct; there may be none. Throws SampleError, naming the point, for a coordinate that is not
-  /// finite, and for more than 2^31 - 1 points. O(n log n); about 70 bytes a point.
+  /// Builds the tree. Points should be distinct; there may be none. Throws SampleError, naming the point, for a
+  /// coordinate that is not finite, and for more than 2^31 - 1 points. O(n log n); about 70 bytes a point.
   explicit Neighbours(std::vector<Vec3> points);
   ~Neighbours();
   Neighbours(Neighbours&&) noexcept;
@@ -33,15 +33,15 @@ class Neighbours {
   std::size_t size() const noexcept;
   const std::vector<Vec3>& points() const noexcept;
 
-  /// The `k` nearest points, or all there are. A longer search begins with the results of a shorter one, so that going
-  /// through neighbours in increasing distance is: search, use, double k. O(k log n) typically.
+  /// Finds the `k` nearest points, or all there are. A longer search begins with the results of a shorter one, so that
+  /// going through neighbours in increasing distance is: search, use, double k. O(k log n) typically.
   void nearest(const Vec3& query, std::size_t k, std::vector<Neighbour>& out, Index without = no_index) const;
 
-  /// The `k` nearest points and all that are as far as the last of them, to a relative 1e-9: unlike the `k` nearest,
-  /// this set does not depend on the order of the points, nor on rounding where points lie on a lattice.
+  /// Finds the `k` nearest points and all that are as far as the last of them, to a relative 1e-9: unlike the `k`
+  /// nearest, this set does not depend on the order of the points, nor on rounding where points lie on a lattice.
   void nearest_and_ties(const Vec3& query, std::size_t k, std::vector<Neighbour>& out, Index without = no_index) const;
 
-  /// The points of the closed ball: `distance(query, point) <= radius` as geometry.hpp computes it.
+  /// Finds the points of the closed ball: `distance(query, point) <= radius` as geometry.hpp computes it.
   void within(const Vec3& query, double radius, std::vector<Neighbour>& out, Index without = no_index) const;
 
  private:

@@ -11,8 +11,8 @@ namespace {
 /// six digits.
 constexpr double parallel_sine = 1e-10;
 
-/// Where `cutter` crosses `edge`, which runs from a corner inside to `outer`. If the two are one line, the corner
-/// stays: so an edge without an end keeps having none.
+/// Returns where `cutter` crosses `edge`, which runs from a corner inside to `outer`. If the two are one line, the
+/// corner stays: so an edge without an end keeps having none.
 CellCorner crossing(const HalfPlane& edge, const HalfPlane& cutter, const CellCorner& outer) {
   const double sine = edge.nx * cutter.ny - edge.ny * cutter.nx;
   if (std::abs(sine) <= parallel_sine) return outer;
@@ -37,7 +37,7 @@ bool PlanarCell::cut(const HalfPlane& half_plane) {
   const std::size_t count = corners_.size();
   excess_.clear();
   for (const CellCorner& c : corners_) excess_.push_back(half_plane.nx * c.x + half_plane.ny * c.y - half_plane.offset);
-  // What stays is one run of corners around the innermost, also where rounding makes signs alternate.
+  // The remaining corners are one run around the innermost, also where rounding makes signs alternate.
   const std::size_t innermost = std::min_element(excess_.begin(), excess_.end()) - excess_.begin();
   std::size_t last = innermost, kept = 1;
   while (kept < count && excess_[(last + 1) % count] <= 0) last = (last + 1) % count, ++kept;

@@ -29,27 +29,28 @@ struct CellCorner {
 /// from their two edges, not from earlier corners, so errors do not add up.
 class PlanarCell {
  public:
-  /// Starts anew. `reach` > 0.
+  /// Starts a new cell. `reach` > 0.
   void reset(double reach);
 
-  /// Cuts off what is outside `half_plane`, whose offset is positive; false if there was nothing. O(corners).
+  /// Cuts off everything outside `half_plane`, whose offset is positive; returns false if there was nothing.
+  /// O(corners).
   bool cut(const HalfPlane& half_plane);
 
   const std::vector<CellCorner>& corners() const noexcept { return corners_; }
 
-  /// Distance of the farthest corner, real or not: a site farther than twice this cuts nothing.
+  /// Returns the distance of the farthest corner, real or not: a site farther than twice this cuts nothing.
   double farthest() const noexcept { return farthest_; }
 
-  /// Both edges of the corner are bisectors, and it is within reach.
+  /// Tells whether both edges of the corner are bisectors, and it is within reach.
   bool real(std::size_t corner) const;
 
-  /// Every corner is real.
+  /// Tells whether every corner is real.
   bool bounded() const;
 
-  /// Distance of the farthest real corner, if there is one.
+  /// Returns the distance of the farthest real corner, if there is one.
   std::optional<double> farthest_real() const;
 
-  /// Distance of the farthest line that bears a real edge, if there is one.
+  /// Returns the distance of the farthest line that bears a real edge, if there is one.
   std::optional<double> farthest_edge() const;
 
  private:

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geodrome/spatial_order.hpp"
 #include "plugins/common/points/cell_radius.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 namespace {
@@ -33,7 +33,7 @@ Star star_of(CellRadiusFinder& finder, Index site, const Vec3& normal) {
   return star;
 }
 
-/// The points as near to a corner as its own three; none if these are all.
+/// Finds the points as near to a corner as its own three; none if these are all.
 std::vector<Index> tied_points(const StarCorner& corner, const Vec3& site, const Neighbours& neighbours,
                                std::vector<Neighbour>& found) {
   neighbours.nearest(corner.centre, most_tied, found);
@@ -70,7 +70,7 @@ PlanarStars::PlanarStars(const Neighbours& neighbours, std::span<const Vec3> nor
   find_ties(neighbours, order, context, {middle, share.to});
 }
 
-/// Only where stars disagree: where they agree, ties add nothing.
+/// Ties are looked at only where stars disagree: where they agree, ties add nothing.
 void PlanarStars::find_ties(const Neighbours& neighbours, const std::vector<Index>& order, RunContext& context,
                             ProgressShare share) {
   ties_.resize(size());

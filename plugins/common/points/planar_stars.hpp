@@ -28,24 +28,24 @@ struct StarCorner {
 /// Indices are those of the points of `neighbours`. Immutable; thread-safe.
 class PlanarStars {
  public:
-  /// Unit `normals`, one per point; `reach` as for CellRadiusFinder. At least two points. O(n log n).
+  /// Builds the stars. Unit `normals`, one per point; `reach` as for CellRadiusFinder. At least two points. O(n log n).
   PlanarStars(const Neighbours& neighbours, std::span<const Vec3> normals, double reach, RunContext& context,
               ProgressShare share);
 
   std::size_t size() const noexcept { return first_.size() - 1; }
 
-  /// The neighbours of a point, counter-clockwise around its normal.
+  /// Returns the neighbours of a point, counter-clockwise around its normal.
   std::span<const StarCorner> operator()(Index point) const {
     return {corners_.data() + first_[point], first_[point + 1] - first_[point]};
   }
 
-  /// True if the star of `point` has the triangle with `a` and `b`, in either order. O(neighbours).
+  /// Tells whether the star of `point` has the triangle with `a` and `b`, in either order. O(neighbours).
   bool has(Index point, Index a, Index b) const { return in_ring(point, a, b) || in_tie(point, a, b); }
 
-  /// How many of its corners' stars have a triangle; `by_ties` tells whether it takes ties to find any of these.
+  /// Counts the corners of a triangle whose stars have it; `by_ties` tells whether it takes ties to find any of these.
   int holders(const std::array<Index, 3>& triangle, bool* by_ties = nullptr) const;
 
-  /// How far the cell reaches; uncapped.
+  /// Returns how far the cell reaches; uncapped.
   double radius(Index point) const { return radius_[point]; }
   bool bounded(Index point) const { return bounded_[point] != 0; }
 
@@ -62,7 +62,7 @@ class PlanarStars {
   std::vector<std::vector<std::vector<Index>>> ties_;  // per point: groups of points equally near to a corner
 };
 
-/// How well the stars agree. A triangle that not all its corners have, ties counted, is inconsistent. Triangles whose
+/// The agreement of the stars. A triangle that not all its corners have, ties counted, is inconsistent. Triangles whose
 /// centre is too far from the point to be a face, as at a boundary, do not count.
 struct StarAgreement {
   double inconsistent = 0;    ///< share of the triangles that need no ties
@@ -70,7 +70,7 @@ struct StarAgreement {
   std::vector<Index> places;  ///< points with an inconsistent triangle, ascending
 };
 
-/// `farthest`: per point, how far the centre of a triangle that counts may be. O(n log n).
+/// Measures the agreement. `farthest` is, per point, how far the centre of a triangle that counts may be. O(n log n).
 StarAgreement agreement(const PlanarStars& stars, std::span<const Vec3> points, std::span<const double> farthest);
 
 }  // namespace geodrome

@@ -33,7 +33,7 @@ Mesh half_edge_mesh(const std::vector<Triangle>& faces, std::size_t vertex_count
 
 using Fan = std::vector<Mesh::FaceHandle>;
 
-/// The faces around a vertex, a fan each time the boundary is met.
+/// Collects the faces around a vertex, a fan each time the boundary is met.
 std::vector<Fan> fans_around(const Mesh& mesh, Mesh::VertexHandle v) {
   std::vector<Fan> fans;
   for (auto h = mesh.cvoh_ccwbegin(v), end = mesh.cvoh_ccwend(v); h != end; ++h) {
@@ -44,7 +44,7 @@ std::vector<Fan> fans_around(const Mesh& mesh, Mesh::VertexHandle v) {
     else
       fans.back().push_back(mesh.face_handle(*h));
   }
-  // The walk may have begun amid a fan: what came before the first gap belongs to the last fan.
+  // The walk may have begun amid a fan: everything before the first gap belongs to the last fan.
   const bool began_amid = !fans.empty() && !mesh.is_boundary(*mesh.cvoh_ccwbegin(v));
   if (began_amid && fans.size() > 1) {
     fans.back().insert(fans.back().end(), fans.front().begin(), fans.front().end());
@@ -65,7 +65,7 @@ void keep_largest_fan(Mesh& mesh, Mesh::VertexHandle v) {
     for (const Mesh::FaceHandle f : fans[i]) mesh.delete_face(f, false);
 }
 
-/// Deleting fans at one vertex may part the faces at another: goes on until every vertex has one fan.
+/// Goes on until every vertex has one fan: deleting fans at one vertex may part the faces at another.
 void part_at_vertices(Mesh& mesh) {
   for (bool changed = true; changed;) {
     changed = false;

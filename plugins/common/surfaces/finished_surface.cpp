@@ -13,7 +13,7 @@ namespace {
 constexpr double most_unused = 0.05;  ///< share of the kept points that the surface may leave out
 constexpr std::size_t shown = 10;     ///< elements a finding lists
 
-/// Lowest corner first, faces ascending.
+/// Sorts faces: lowest corner first, faces ascending.
 void put_in_order(std::vector<Triangle>& faces) {
   for (Triangle& t : faces) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
   std::sort(faces.begin(), faces.end());

@@ -8,7 +8,7 @@
 
 namespace geodrome {
 
-/// Whether a surface may have a boundary: automatic where the sample shows one, never, or as expected.
+/// The rule for boundaries of a surface: automatic where the sample shows one, never, or as expected.
 enum class BoundaryRule { automatic, closed, open };
 
 /// The option `boundary` of a reconstructor, bound to a member; `help` says what "auto", "closed" and "open" mean
@@ -19,11 +19,11 @@ consteval auto boundary_option(BoundaryRule Settings::*member, const char* help)
                 {BoundaryRule::automatic, BoundaryRule::closed, BoundaryRule::open}, help);
 }
 
-/// A finding about sample points, with the first few of `places` as elements.
+/// Returns a finding about sample points, with the first few of `places` as elements.
 Finding finding(Finding::Severity severity, const char* code, std::string message, std::size_t count,
                 std::vector<Index> places = {});
 
-/// "1 face", "2 faces".
+/// Returns "1 face", "2 faces".
 std::string counted(std::size_t count, const char* one, const char* many);
 
 /// The kept points as a reconstructor works on them, and which sample points they are.
@@ -33,7 +33,8 @@ struct KeptPoints {
   std::vector<Index> sample;
 };
 
-/// Normals are those of the tangent planes. Throws SampleError for fewer than three points.
+/// Packs the points that were not dropped. Normals are those of the tangent planes. Throws SampleError for fewer than
+/// three points.
 KeptPoints kept_points(const PointSample& sample, const Tangents& tangents, const Control& control,
                        std::span<const Index> kept);
 

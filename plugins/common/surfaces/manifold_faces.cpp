@@ -10,7 +10,7 @@
 namespace geodrome {
 namespace {
 
-/// The fan of every corner (3 f + i), named by its lowest corner.
+/// Names the fan of every corner (3 f + i) by its lowest corner.
 std::vector<Index> fans_of_corners(std::span<const Triangle> faces, std::span<const Index> twins) {
   const auto vertex = [&](Index corner) { return faces[corner / 3][corner % 3]; };
   detail::DisjointSets fans(twins.size());

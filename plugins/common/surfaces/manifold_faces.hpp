@@ -8,11 +8,13 @@
 
 namespace geodrome {
 
-/// Where faces meet at a vertex in several fans, keeps the largest (ties: of the lowest face) and drops the others,
-/// until every vertex has one fan. Returns how many faces were dropped. Nothing is done if an edge has over two faces.
+/// Keeps, where faces meet at a vertex in several fans, the largest fan (ties: of the lowest face) and drops the
+/// others, until every vertex has one fan. Returns how many faces were dropped. Does nothing if an edge has over two
+/// faces.
 std::size_t drop_minor_fans(std::vector<Triangle>& faces, std::size_t vertex_count);
 
-/// The vertices at which faces meet in several fans, ascending. `twins` as in detail::Connectivity, not empty. O(F).
+/// Lists the vertices at which faces meet in several fans, ascending. `twins` as in detail::Connectivity, not empty.
+/// O(F).
 std::vector<Index> split_vertices(std::span<const Triangle> faces, std::span<const Index> twins,
                                   std::size_t vertex_count);
 

@@ -34,14 +34,14 @@ Vec3 normal(const SurfaceMesh& mesh, Index face) {
   return normal(p, q, r);
 }
 
-/// True for a triangle that may take the place of a face with normal `like`.
+/// Tells whether a triangle may take the place of a face with normal `like`.
 bool fits(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3& like) {
   const Vec3 own = normal(p, q, r);
   const double longest2 = std::max({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)});
   return norm(own) > degenerate * longest2 && dot(own, like) >= least_cosine * norm(own) * norm(like);
 }
 
-/// True if the smallest sphere through the corners of a face holds the point.
+/// Tells whether the smallest sphere through the corners of a face holds the point.
 bool sphere_holds(const SurfaceMesh& mesh, Index face, const Vec3& point) {
   const auto [p, q, r] = mesh.corners(face);
   const Vec3 u = q - p, v = r - p, n = cross(u, v), d = point - p;
@@ -51,7 +51,7 @@ bool sphere_holds(const SurfaceMesh& mesh, Index face, const Vec3& point) {
   return 2 * dot(d, centre) - squared_norm(d) > tie * squared_norm(centre);
 }
 
-/// The half-edge that a surface point lies on; no_index inside a face and at a vertex.
+/// Returns the half-edge that a surface point lies on; no_index inside a face and at a vertex.
 Index edge_of(const SurfacePoint& at) {
   Index edge = no_index;
   for (Index i = 0; i < 3; ++i) {
@@ -62,14 +62,14 @@ Index edge_of(const SurfacePoint& at) {
   return edge;
 }
 
-/// The corner of its face, 0 to 2, that a surface point lies at; 3 if at none.
+/// Returns the corner of its face, 0 to 2, that a surface point lies at; 3 if at none.
 Index corner_of(const SurfacePoint& at) {
   Index i = 0;
   while (i < 3 && at.b[i] < 1 - 2 * on_edge) ++i;
   return i;
 }
 
-/// The boundary half-edges that a surface point lies on: one inside an edge, two at a vertex, mostly none.
+/// Lists the boundary half-edges that a surface point lies on: one inside an edge, two at a vertex, mostly none.
 std::vector<Index> boundary_at(const SurfaceMesh& mesh, const SurfacePoint& at) {
   const auto twin = [&](Index h) { return mesh.twins()[h]; };
   if (const Index edge = edge_of(at); edge != no_index)
@@ -86,8 +86,8 @@ std::vector<Index> boundary_at(const SurfaceMesh& mesh, const SurfacePoint& at) 
   return {out, in};
 }
 
-/// The boundary half-edge that a point lies beyond, so that a triangle over it continues the surface; the one that it
-/// lies farther beyond; no_index if there is none.
+/// Returns the boundary half-edge that a point lies beyond, so that a triangle over it continues the surface: of two,
+/// the one that it lies farther beyond; no_index if there is none.
 Index edge_to_extend(const SurfaceMesh& mesh, const Vec3& point, const SurfacePoint& closest) {
   Index best = no_index;
   double farthest = 0;
@@ -103,7 +103,7 @@ Index edge_to_extend(const SurfaceMesh& mesh, const Vec3& point, const SurfacePo
 /// The faces around the point, as an OpenMesh mesh to be edited.
 class Patch {
  public:
-  /// `first`: the face to begin with, `second` another one, or no_index.
+  /// Starts with the face `first`, and `second`, another one, or no_index.
   Patch(const SurfaceMesh& mesh, const Vec3& point, Index first, Index second) : mesh_(mesh), point_(point) {
     add(first);
     if (second != no_index) add(second);
@@ -120,7 +120,7 @@ class Patch {
   void split_edge(Index h) { links_.split(links_.edge_handle(find(h)), star_); }
   void extend(Index h) { links_.add_face(handle_of(mesh_.to(h)), handle_of(mesh_.from(h)), star_); }
 
-  /// Flips what must be flipped. True if nothing had to be refused.
+  /// Flips every edge that must be flipped. Returns true if no flip had to be refused.
   bool flip_edges() {
     bool all = true;
     std::vector<HalfedgeHandle> suspects;  // in faces of the star, opposite to the point
@@ -164,7 +164,7 @@ class Patch {
     holds_.push_back(sphere_holds(mesh_, face, point_));
   }
 
-  /// Adds what is connected with the first faces and holds the point.
+  /// Adds the faces connected with the first ones whose spheres hold the point.
   void grow() {
     for (std::size_t k = 0; k < faces_.size(); ++k)
       for (Index i = 0; i < 3; ++i) {

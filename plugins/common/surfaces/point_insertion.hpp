@@ -8,7 +8,7 @@
 
 namespace geodrome {
 
-/// What the insertion of a point changes in a mesh: its star. The point is vertex number `mesh.vertex_count()`.
+/// The change of a mesh by the insertion of a point: its star. The point is vertex number `mesh.vertex_count()`.
 struct LocalChange {
   std::vector<std::pair<Index, Triangle>> replaced;  ///< faces that get other corners, ascending
   std::vector<Triangle> added;                       ///< faces behind those of the mesh; never none

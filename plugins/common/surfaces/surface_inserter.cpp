@@ -11,10 +11,10 @@
 namespace geodrome {
 namespace {
 
-/// Nearer to a vertex than this share of the longest edge there, a point has no triangle with it in double precision.
+/// A point nearer to a vertex than this share of the longest edge there has no triangle with it in double precision.
 constexpr double coincident = 1e-9;
 
-/// The vertex of a face that a point coincides with, or no_index.
+/// Returns the vertex of a face that a point coincides with, or no_index.
 Index coincident_vertex(const SurfaceMesh& mesh, Index face, const Vec3& point) {
   const auto [p, q, r] = mesh.corners(face);
   const double longest2 = std::max({squared_distance(p, q), squared_distance(q, r), squared_distance(r, p)});

@@ -61,7 +61,7 @@ Place Rearrangements::locate(Place at) const {
     const auto& from = change.before[change.before[0].triangle == at.triangle ? 0 : 1];
     const Point2 p = place(layout_of(change, from), at.b);
     const Rearrangement::Piece* best = nullptr;
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = infinity;
     Barycentric kept;
     for (const auto& piece : change.after) {
       if (piece.triangle == no_index) continue;

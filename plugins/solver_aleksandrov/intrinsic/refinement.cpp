@@ -17,7 +17,7 @@ class Refiner {
         least_sine_(std::sin(least_angle)),
         first_(triangulation.vertex_count()),
         most_(first_ + most),
-        scale_(first_, std::numeric_limits<double>::infinity()) {
+        scale_(first_, infinity) {
     for (Index f = 0; f < t_.face_count(); ++f)
       for (int i = 0; i < 3; ++i) {
         double& scale = scale_[t_.face(f).vertex[i]];

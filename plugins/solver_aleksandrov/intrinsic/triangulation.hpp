@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/solver_aleksandrov/intrinsic/plane.hpp"
 #include "plugins/solver_aleksandrov/intrinsic/rearrangements.hpp"
 

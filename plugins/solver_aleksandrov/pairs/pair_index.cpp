@@ -15,7 +15,6 @@
 namespace geodrome::aleksandrov {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 /// A sum of two floats that were rounded up is below the true one by less than this share, and above by less than
 /// twice as much more; where they are next to 0, by less than this length.
 constexpr double float_share = 1.2e-7, float_least = 4 * std::numeric_limits<float>::denorm_min();

@@ -3,15 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <mutex>
 #include <utility>
 #include <vector>
 
-#include "plugins/common/requests/request_checks.hpp"
+#include "geodrome/solver_kit/request_checks.hpp"
 #include "plugins/solver_aleksandrov/direct_way.hpp"
 #include "plugins/solver_aleksandrov/pairs/pair_index.hpp"
-#include "plugins/solver_chen_han/chen_han.hpp"
 
 namespace geodrome::aleksandrov {
 namespace {
@@ -41,18 +39,16 @@ MeshPtr scaled(const SurfaceMesh& mesh, int exponent) {
                                              std::vector<Triangle>(mesh.triangles().begin(), mesh.triangles().end()));
 }
 
-ChenHanSolver exact_solver() { return ChenHanSolver(OptionValues(ChenHanSolver::options)); }
-
 /// On a mesh whose mean edge is about 1.
 class IndexedPairs final : public PairOracle {
  public:
   IndexedPairs(MeshPtr mesh, std::shared_ptr<const Discretization> discretization, double delta, PairIndex index,
-               RunContext& context)
+               const ShortestPathSolver& exact, RunContext& context)
       : mesh_(std::move(mesh)),
         discretization_(std::move(discretization)),
         delta_(delta),
         index_(std::move(index)),
-        prepared_(exact_solver().prepare(mesh_, context)) {}
+        prepared_(exact.prepare(mesh_, context)) {}
 
   double distance(const SurfacePoint& from, const SurfacePoint& to) const override {
     require_on_surface(*mesh_, from, "a point");
@@ -87,7 +83,7 @@ class IndexedPairs final : public PairOracle {
 
   /// Until the bounds are near enough: through each corner, and no farther from the points than their corners are.
   Bounds by_corners(const std::vector<Corner>& from, const std::vector<Corner>& to) const {
-    Bounds bounds{0, std::numeric_limits<double>::infinity()};
+    Bounds bounds{0, infinity};
     for (const Corner& a : from)
       for (const Corner& b : to) {
         const Bounds between = index_.between(a.vertex, b.vertex);
@@ -101,7 +97,7 @@ class IndexedPairs final : public PairOracle {
   /// Straight around a corner: an exact search loses precision between places far nearer to a vertex than their faces
   /// are wide.
   double direct(const SurfacePoint& from, const SurfacePoint& to) const {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     if (mesh_->vertex_at(from) != no_index || mesh_->vertex_at(to) != no_index) return least;
     const SteinerGraph& graph = discretization_->graph();
     const auto located = [&](const SurfacePoint& p) {
@@ -153,15 +149,16 @@ class IndexedPairs final : public PairOracle {
 }  // namespace
 
 std::unique_ptr<PairOracle> make_pair_oracle(std::shared_ptr<const Discretization> discretization, double delta,
-                                             std::istream* saved, RunContext& context) {
+                                             const ShortestPathSolver& exact, std::istream* saved,
+                                             RunContext& context) {
   const PackedMesh& surface = discretization->surface();
   if (!surface.mesh().face_weights().empty())
     throw CapabilityError("pair queries on weighted surfaces are not supported",
                           "leave the weights out, or ask for distances from sources");
   MeshPtr mesh = scaled(surface.mesh(), surface.exponent());
-  PairIndex index =
-      saved ? PairIndex(*mesh, *saved) : PairIndex(mesh, spacing_for(*mesh, delta), exact_solver(), context);
-  return std::make_unique<IndexedPairs>(std::move(mesh), std::move(discretization), delta, std::move(index), context);
+  PairIndex index = saved ? PairIndex(*mesh, *saved) : PairIndex(mesh, spacing_for(*mesh, delta), exact, context);
+  return std::make_unique<IndexedPairs>(std::move(mesh), std::move(discretization), delta, std::move(index), exact,
+                                        context);
 }
 
 }  // namespace geodrome::aleksandrov

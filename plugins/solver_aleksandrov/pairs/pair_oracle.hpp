@@ -9,11 +9,11 @@
 
 namespace geodrome::aleksandrov {
 
-/// Distances of arbitrary pairs within a factor of 1 + delta, or as read from `saved` if that is not null. Pairs that
-/// the index does not settle are answered by a search no farther than its upper bound. The surface of `discretization`
-/// outlives the oracle. Throws CapabilityError for face
-/// weights; see PairIndex for the rest.
+/// Makes the oracle for distances of arbitrary pairs within a factor of 1 + delta, from an index that is built, or read
+/// from `saved` if that is not null. Pairs that the index does not settle are answered by a search with `exact`, an
+/// exact solver, no farther than the index's upper bound. The surface of `discretization` and the code of `exact`
+/// outlive the oracle. Throws CapabilityError for face weights; see PairIndex for the rest.
 std::unique_ptr<PairOracle> make_pair_oracle(std::shared_ptr<const Discretization> discretization, double delta,
-                                             std::istream* saved, RunContext& context);
+                                             const ShortestPathSolver& exact, std::istream* saved, RunContext& context);
 
 }  // namespace geodrome::aleksandrov

@@ -21,7 +21,6 @@ namespace {
 
 using namespace test;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-12;  ///< what a right map may show, relative to the largest distance
 constexpr double caught = 1e-9;     ///< what a fault must show at least
 

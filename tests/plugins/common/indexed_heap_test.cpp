@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/mesh/indexed_heap.hpp"
+#include "geodrome/solver_kit/indexed_heap.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,6 +24,14 @@ TEST(IndexedHeap, GivesTheLowestKeyFirst) {
   for (const auto& [element, key] : {std::pair(4, 0.5), {0, 3.0}, {2, 0.0}, {5, 2.0}, {1, 0.25}})
     heap.push(static_cast<Index>(element), key);
   EXPECT_EQ(emptied(heap), (std::vector<Index>{2, 1, 4, 5, 0}));
+}
+
+/// A start distance of -0 is a valid one.
+TEST(IndexedHeap, TakesNegativeZeroForZero) {
+  IndexedHeap heap(3);
+  heap.push(0, 1), heap.push(1, -0.0), heap.push(2, 0.5);
+  EXPECT_EQ(heap.top_key(), 0);
+  EXPECT_EQ(emptied(heap), (std::vector<Index>{1, 2, 0}));
 }
 
 TEST(IndexedHeap, GivesEqualKeysByElement) {

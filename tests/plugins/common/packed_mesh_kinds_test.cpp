@@ -6,7 +6,7 @@
 #include <ostream>
 #include <vector>
 
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace geodrome {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 
 #include <gtest/gtest.h>
 

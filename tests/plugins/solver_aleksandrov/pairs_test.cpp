@@ -13,7 +13,7 @@
 #include "plugins/solver_aleksandrov/pairs/pair_oracle.hpp"
 #include "plugins/solver_aleksandrov/pairs/region_tree.hpp"
 #include "plugins/solver_aleksandrov/strip_scan.hpp"
-#include "plugins/solver_chen_han/chen_han.hpp"
+#include "tests/plugins_for_tests/exact_solver.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace geodrome::aleksandrov {
@@ -91,7 +91,7 @@ TEST(RegionTree, CutsInHalvesWithPortalsBetween) {
 
 class PairBounds : public testing::Test {
  protected:
-  const ChenHanSolver exact_{OptionValues(ChenHanSolver::options)};
+  const test::ExactSolver exact_;
   const MeshPtr mesh_ = test::both(test::terrain(13, 2, 5), test::mapped(test::bumpy_torus(16, 8, 0.1, 7), [](Vec3 p) {
                                      return p + Vec3{0, 0, 90};
                                    }));
@@ -167,7 +167,7 @@ struct Oracle {
   Oracle(const MeshPtr& mesh, double delta)
       : surface(mesh),
         pairs(make_pair_oracle(std::make_shared<const Discretization>(surface, Settings{.delta = delta}, context),
-                               delta, nullptr, context)) {}
+                               delta, test::ExactSolver(), nullptr, context)) {}
   double distance(const SurfacePoint& p, const SurfacePoint& q) const { return pairs->distance(p, q); }
 
   QuietContext context;

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/plugins/common/window_scenes.hpp"
 #include "tests/plugins/solvers/fixture.hpp"
-#include "tests/plugins/solver_chen_han/window_scenes.hpp"
 
 namespace geodrome::chen_han::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plugins/solver_chen_han/trimming.hpp"
-#include "tests/plugins/solver_chen_han/window_scenes.hpp"
+#include "tests/plugins/common/window_scenes.hpp"
 
 /// Trimming where a rule decides: ties, windows inside others, windows of no width.
 namespace geodrome::chen_han::test {
@@ -209,9 +209,19 @@ TEST_P(TrimmingCases, ParentAndChildOnOneRayArePartedByTheRay) {
   }
 }
 
-/// The left one's interval lies to the right of the other one's, and each is farther than the other one all over its
-/// own.
-const Window crossed_left = window(0, 0, 2.5, 3, 0), crossed_right = window(3, 0, 0, 0.5, 1);
+/// All lines of the left window meet the half-edge to the right of all lines of the right one, and each window is
+/// farther than the other at its own end. The one that is nearer where their lines cross stays.
+TEST_P(TrimmingCases, OfWindowsWhoseLinesCrossedTheNearerAtTheCrossingStays) {
+  for (const double later : {-0.1, 0.0, 0.1}) {
+    const Window left = window(0, 5 + later, 2.5, 3, 0), right = window(3, 5, 0, 0.5, 1);
+    const std::vector<Window> expected{later > 0 ? right : left};
+    EXPECT_TRUE(equal(trimmed({left, right}), expected)) << later;
+    EXPECT_TRUE(equal(appended({left}, {right}), expected)) << later;
+  }
+}
+
+/// One image, in an order that only rounding can make.
+const Window crossed_left = window(0, 0, 2.5, 3, 0), crossed_right = window(0, 0, 0, 0.5, 1);
 
 /// `append` takes nothing of what it refuses.
 TEST_P(TrimmingCases, WindowsThatCannotBePutInOrderAreRefusedWhole) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugins/solver_schreiber/kept_fronts.hpp"
-#include "tests/plugins/solver_chen_han/wavefronts.hpp"
+#include "tests/plugins/solver_schreiber/wavefronts.hpp"
 
 namespace geodrome::schreiber::test {
 namespace {

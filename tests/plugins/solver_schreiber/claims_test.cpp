@@ -8,15 +8,15 @@
 #include <utility>
 
 #include "plugins/common/exact/bisector.hpp"
-#include "tests/plugins/solver_chen_han/wavefronts.hpp"
+#include "tests/plugins/solver_schreiber/wavefronts.hpp"
 
 namespace geodrome::schreiber::test {
 namespace {
 
 constexpr std::uint64_t scenes = 4000;
 
-bool holds(const Claim& claim, double x) { return claim.low <= x && x <= claim.high; }
-Claim claim_in(const Window& w) { return {w.low, w.high}; }
+bool holds(const Interval& claim, double x) { return claim.low <= x && x <= claim.high; }
+Interval claim_in(const Window& w) { return {w.low, w.high}; }
 
 /// Calls `visit(scene, left, right)` with pairs of windows whose lines entered the face below in that order.
 template <class Visit>
@@ -34,135 +34,6 @@ void for_each_pair(Visit&& visit) {
   }
 }
 
-// ---- settle
-
-/// Of each place that both have the nearer keeps it and the other does not; all else stays. What is lost otherwise has
-/// a shorter way that bends.
-TEST(SchreiberSettle, GivesEachPlaceToTheNearerOfTwoInOrder) {
-  int cut = 0, reversed = 0, dropped = 0;
-  for_each_pair([&](const Scene& scene, const Entered& first, const Entered& second, Random& random) {
-    const Window &a = first.window, &b = second.window;
-    Claim l = claim_in(a), r = claim_in(b);
-    const Order order = settle(generator_of(a), l, generator_of(b), r);
-    ASSERT_NE(order, Order::tangled);
-    if (order == Order::drop_left) l.high = l.low;
-    if (order == Order::drop_right) r.low = r.high;
-    cut += order == Order::cut, dropped += order == Order::drop_left || order == Order::drop_right;
-    reversed += a.low >= b.high;
-    ASSERT_TRUE(l.low == a.low && l.high <= a.high && r.low >= b.low && r.high == b.high) << "a claim grew";
-    for (const double x : sample_places(scene.length, {a.low, a.high, b.low, b.high, l.high, r.low}, random)) {
-      const bool in_a = holds(claim_in(a), x), in_b = holds(claim_in(b), x);
-      const double near = std::min(first.bent(x), second.bent(x)) * (1 - scene.noise());
-      const double of_a = a.at(x), of_b = b.at(x), noise = scene.noise() * of_a;
-      if (in_a && of_a < near && !(in_b && of_b < of_a + noise)) {
-        ASSERT_TRUE(holds(l, x)) << "left at " << x;
-      }
-      if (in_b && of_b < near && !(in_a && of_a < of_b + noise)) {
-        ASSERT_TRUE(holds(r, x)) << "right at " << x;
-      }
-      if (in_a && in_b && of_a < near && of_b < near) {
-        ASSERT_TRUE(holds(l, x) || holds(r, x)) << "nobody at " << x;
-      }
-      ASSERT_FALSE(holds(l, x) && in_b && of_b < of_a - noise) << "right is nearer at " << x;
-      ASSERT_FALSE(holds(r, x) && in_a && of_a < of_b - noise) << "left is nearer at " << x;
-    }
-  });
-  EXPECT_GT(cut, 1000);
-  EXPECT_GT(reversed, 100);
-  EXPECT_GT(dropped, 100);
-}
-
-TEST(SchreiberSettle, CutsMirroredOnesInTheMiddle) {
-  const Generator a = generator_of({0, -1, 0, 0, 2, 0, 0}), b = generator_of({2, -1, 0, 0, 2, 1, 0});
-  Claim l{0, 2}, r{0, 2};
-  EXPECT_EQ(settle(a, l, b, r), Order::cut);
-  EXPECT_DOUBLE_EQ(l.high, 1);
-  EXPECT_EQ(l.high, r.low);
-}
-
-TEST(SchreiberSettle, LeavesThoseThatDoNotOverlap) {
-  const Generator a = generator_of({0, -1, 0, 0, 1, 0, 0}), b = generator_of({2, -1, 9, 1, 2, 1, 0});
-  Claim l{0, 1}, r{1, 2};
-  EXPECT_EQ(settle(a, l, b, r), Order::apart);
-  EXPECT_TRUE(l.high == 1 && r.low == 1);
-}
-
-TEST(SchreiberSettle, DropsWhatIsEmptyWhateverItsDistance) {
-  const Generator a = generator_of({0, -1, 0, 0, 1, 0, 0});
-  for (const double width : {0.0, -1e-16}) {
-    Claim full{0, 1}, empty{0.5, 0.5 + width};
-    EXPECT_EQ(settle(a, empty, a, full), Order::drop_left);
-    EXPECT_EQ(settle(a, full, a, empty), Order::drop_right);
-    EXPECT_TRUE(full.low == 0 && full.high == 1);
-  }
-}
-
-/// Equally far everywhere: whatever the order in which their claims lie, what they had together they still have, and no
-/// more than one has any of it.
-void expect_shared(const Generator& left, const Generator& right, const std::string& which) {
-  Random random(1);
-  for (int i = 0; i < 2000; ++i) {
-    std::array<double, 4> ends;
-    for (double& end : ends) end = static_cast<double>(random.index(6)) / 5;
-    Claim l{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])},
-        r{std::min(ends[2], ends[3]), std::max(ends[2], ends[3])};
-    if (l.empty() || r.empty() || r.high <= l.low) continue;
-    const Claim l_before = l, r_before = r;
-    const Order order = settle(left, l, right, r);
-    const bool is_tangled = r_before.low < l_before.low && r_before.high < l_before.high;
-    ASSERT_EQ(order == Order::tangled, is_tangled) << which << " " << i;
-    if (is_tangled) {
-      ASSERT_TRUE(l.high == l_before.high && r.low == r_before.low) << "tangled ones stay for a merge";
-      continue;
-    }
-    for (double x = 0.05; x < 1; x += 0.1) {
-      ASSERT_EQ(holds(l, x) || holds(r, x), holds(l_before, x) || holds(r_before, x)) << which << " " << i << " " << x;
-      ASSERT_FALSE(holds(l, x) && holds(r, x)) << which << " " << i << " " << x;
-    }
-  }
-}
-
-TEST(SchreiberSettle, LosesNothingOfTwoEqualImages) {
-  const Generator g = generator_of({0.3, -1, 2, 0, 1, 0, 0});
-  expect_shared(g, g, "equal");
-}
-
-TEST(SchreiberSettle, LosesNothingOfParentAndChildWhereTheHalfEdgeIsTheirLine) {
-  for (const double depth : {0.0, 1e-17, 1e-12}) {
-    const Generator parent = generator_of({-2, -2 * depth, 1, 0, 1, 0, 0});
-    const Generator child = generator_of({-1, -depth, parent.to(-1, -depth), 0, 1, 1, 0});
-    expect_shared(parent, child, "parent first");
-    expect_shared(child, parent, "child first");
-  }
-}
-
-/// A child whose wedge begins at the ray from its parent through it: the two touch there, and neither loses a piece.
-TEST(SchreiberSettle, CutsParentAndChildAtTheirCommonRay) {
-  Random random(2);
-  for (int i = 0; i < 2000; ++i) {
-    const auto [parent, child, place] = random_parent_and_child(random);
-    const Generator a = generator_of(parent), b = generator_of(child);
-    Claim l = claim_of(a, 1), r = claim_of(b, 1);
-    const Order order = settle(a, l, b, r);
-    ASSERT_TRUE(order == Order::apart || order == Order::cut) << i;
-    ASSERT_NEAR(l.high, place, 1e-14) << i;
-    ASSERT_NEAR(r.low, place, 1e-14) << i;
-  }
-}
-
-/// All rays of the left one meet the half-edge on the right of all of the right one, so they cross before: on the ray
-/// the nearer one has there, the other has none behind it.
-TEST(SchreiberSettle, OfTwoThatCrossedBeforeTheNearerOneStays) {
-  const Window left{0, -2, 0, 1.5, 2, 0, 0}, right{2, -2, 0, 0, 0.5, 1, 0};
-  for (const double later : {-1e-3, 0.0, 1e-3}) {
-    Generator a = generator_of(left);
-    const Generator b = generator_of(right);
-    a.sigma += later;
-    Claim l{left.low, left.high}, r{right.low, right.high};
-    EXPECT_EQ(settle(a, l, b, r), later > 0 ? Order::drop_left : Order::drop_right) << later;
-  }
-}
-
 // ---- keep_left, keep_right
 
 TEST(SchreiberKeep, TheNeighbourOfOneThatIsGoneHasWhatItWasNotFartherAt) {
@@ -170,7 +41,7 @@ TEST(SchreiberKeep, TheNeighbourOfOneThatIsGoneHasWhatItWasNotFartherAt) {
   for_each_pair([&](const Scene& scene, const Entered& first, const Entered& second, Random& random) {
     const Window &a = first.window, &b = second.window;
     if (!(std::max(a.low, b.low) < std::min(a.high, b.high))) return;
-    Claim l = claim_in(a), r = claim_in(b);
+    Interval l = claim_in(a), r = claim_in(b);
     keep_left(generator_of(a), l, generator_of(b), claim_in(b));
     keep_right(generator_of(a), claim_in(a), generator_of(b), r);
     ASSERT_TRUE(l.low == a.low && l.high <= a.high && r.low >= b.low && r.high == b.high);
@@ -200,7 +71,7 @@ TEST(SchreiberKeep, OneThatWasAsFarEverywhereKeepsAll) {
   const Generator g = generator_of({0.3, -1, 2, 0, 1, 0, 0});
   Generator farther = g;
   farther.sigma *= 1 + 4 * epsilon;
-  Claim l{0, 0.8}, r{0.2, 1};
+  Interval l{0, 0.8}, r{0.2, 1};
   keep_left(farther, l, g, {0.2, 1});
   keep_right(g, {0, 0.8}, farther, r);
   EXPECT_TRUE(l.high == 0.8 && r.low == 0.2);
@@ -208,7 +79,7 @@ TEST(SchreiberKeep, OneThatWasAsFarEverywhereKeepsAll) {
 
 TEST(SchreiberKeep, OneThatWasFartherEverywhereKeepsWhatTheOtherHadNot) {
   const Generator near = generator_of({0.3, -1, 2, 0, 1, 0, 0}), far = generator_of({0.3, -1, 2.1, 0, 1, 0, 0});
-  Claim l{0, 0.8}, r{0.2, 1};
+  Interval l{0, 0.8}, r{0.2, 1};
   keep_left(far, l, near, {0.2, 1});
   keep_right(near, {0, 0.8}, far, r);
   EXPECT_TRUE(l.high == 0.2 && r.low == 0.8);

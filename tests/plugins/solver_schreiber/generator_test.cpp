@@ -7,7 +7,7 @@
 #include <string>
 
 #include "plugins/solver_schreiber/generator.hpp"
-#include "tests/plugins/solver_chen_han/wavefronts.hpp"
+#include "tests/plugins/solver_schreiber/wavefronts.hpp"
 
 namespace geodrome::schreiber::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "plugins/solver_schreiber/generator.hpp"
-#include "tests/plugins/solver_chen_han/wavefronts.hpp"
+#include "plugins/solver_schreiber/lifetime.hpp"
+#include "tests/plugins/solver_schreiber/wavefronts.hpp"
 
 namespace geodrome::schreiber::test {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "geodrome/plugin.hpp"
-#include "plugins/solver_chen_han/chen_han.hpp"
+#include "tests/plugins_for_tests/exact_solver.hpp"
 
 /// An exact solver with one fault built in, for tests of the conformance kit: it must find each.
 namespace geodrome::faulty {
@@ -88,11 +88,12 @@ class FaultySolver : public ShortestPathSolver {
   }
 
  private:
-  ChenHanSolver right_{OptionValues(ChenHanSolver::options, "")};
+  test::ExactSolver right_;
 };
 
 }  // namespace geodrome::faulty
 
 #define GEODROME_FAULTY_SOLVER(Fault, plugin_name)                                                          \
   GEODROME_PLUGIN(geodrome::faulty::FaultySolver<Fault>, .name = plugin_name, .summary = "a faulty solver", \
-                  .licence = "MIT", .provides = geodrome::ChenHanSolver::provides, .factor = geodrome::exact_factor)
+                  .licence = "MIT", .provides = geodrome::test::ExactSolver::provides,                      \
+                  .factor = geodrome::exact_factor)

@@ -7,7 +7,7 @@
 #include <ostream>
 
 #include "geodrome/plugin.hpp"
-#include "plugins/solver_chen_han/chen_han.hpp"
+#include "tests/plugins_for_tests/exact_solver.hpp"
 
 namespace {
 
@@ -130,10 +130,10 @@ class Solver : public ShortestPathSolver {
 
  private:
   Settings settings_;
-  ChenHanSolver exact_{OptionValues(ChenHanSolver::options)};
+  test::ExactSolver exact_;
 };
 
 }  // namespace
 
 GEODROME_PLUGIN(Solver, .name = "test_pairs", .summary = "a table of all pairs of vertices", .licence = "MIT",
-                .provides = ChenHanSolver::provides | Provides::pair_queries, .options = options, .factor = factor)
+                .provides = test::ExactSolver::provides | Provides::pair_queries, .options = options, .factor = factor)

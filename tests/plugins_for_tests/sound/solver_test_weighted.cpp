@@ -9,8 +9,6 @@
 namespace geodrome {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// What it costs to go along an edge, per pair of vertices, in both directions.
 using Edges = std::map<std::pair<Index, Index>, double>;
 

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "tools/bench/solvers/factor.hpp"
@@ -11,7 +10,6 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 using List = std::vector<std::string>;
 
 FactorFigures figures_of_one(const std::vector<double>& exact, const std::vector<double>& found, double factor) {

@@ -53,7 +53,6 @@ SurfaceGap surface_gap(const MeshPtr& from, const MeshPtr& to, std::size_t sampl
 }
 
 double diagonal_of(const SurfaceMesh& mesh) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Vec3 low{infinity, infinity, infinity}, high = -low;
   for (const Triangle& triangle : mesh.triangles())
     for (const Index v : triangle) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -16,8 +15,6 @@
 
 namespace geodrome::bench {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A figure that is not a number is the worst one.
 void raise(double& worst, double figure) { worst = std::max(worst, std::isnan(figure) ? infinity : figure); }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/report/median.hpp"
 #include "tools/bench/solvers/exactness.hpp"
@@ -14,8 +13,6 @@
 
 namespace geodrome::bench {
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 void add_excess(FactorFigures& figures, double excess) {
   ++figures.ratios, figures.ratio_sum += excess;

@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "tools/bench/solvers/witness.hpp"
 
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "tools/bench/solvers/runner.hpp"
 
 namespace geodrome::bench {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 Witness::Witness(const Plugin<ShortestPathSolver>& plugin, MeshPtr mesh, double seconds)
     : plugin_(plugin), mesh_(std::move(mesh)), common_(*mesh_), context_(seconds) {

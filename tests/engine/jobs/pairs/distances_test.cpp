@@ -12,7 +12,6 @@
 namespace geodrome::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Answers as it is told; straight through space by default.

@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <limits>
 #include <span>
 #include <vector>
 
-#include "plugins/common/requests/request_checks.hpp"
-#include "plugins/common/requests/source_components.hpp"
+#include "geodrome/solver_kit/request_checks.hpp"
+#include "geodrome/solver_kit/source_components.hpp"
 
 namespace geodrome {
 
-/// The map of a solver that knows the distances of vertices alone, and no paths. Reused from run to run; forgetting
-/// costs what was reached.
+/// The map of a solver that knows the distances of vertices alone, and no paths. Reused from run to run; forgetting a
+/// run costs what it reached. One per search.
 class VertexMap final : public ShortestPathMap {
  public:
   /// `components` names the component of every vertex (vertex_components). Both are kept by reference.
   VertexMap(const SurfaceMesh& mesh, const std::vector<Index>& components)
       : mesh_(mesh),
         components_(components),
-        distances_(mesh.vertex_count(), std::numeric_limits<double>::infinity()),
+        distances_(mesh.vertex_count(), infinity),
         sources_(mesh.vertex_count(), no_index) {}
 
-  /// Forgets the last run. Throws as require_valid, and CapabilityError for a target that is no vertex.
+  /// Forgets the last run and takes the sources of the next. Throws as require_valid, and CapabilityError for a target
+  /// that is no vertex. O(what the last run reached).
   void begin(std::span<const Source> sources, const Request& request) {
     require_valid(mesh_, sources, request);
     for (const SurfacePoint& target : request.targets) vertex_of(target);
-    for (const Index v : reached_) distances_[v] = std::numeric_limits<double>::infinity(), sources_[v] = no_index;
+    for (const Index v : reached_) distances_[v] = infinity, sources_[v] = no_index;
     reached_.clear();
     with_source_.assign(mesh_, components_, sources);
   }
 
-  /// Of a vertex, unless it has a distance that is not longer.
+  /// Sets the distance of a vertex, and the source it is from, if the new distance is shorter.
   void lower(Index vertex, double distance, Index source) {
     if (!(distance < distances_[vertex])) return;
     if (sources_[vertex] == no_index) reached_.push_back(vertex);
     distances_[vertex] = distance, sources_[vertex] = source;
   }
 
-  /// Throws CapabilityError for a point that is no vertex.
+  /// Returns the vertex that a point is at. Throws CapabilityError for a point that is no vertex.
   Index vertex_of(const SurfacePoint& point) const {
     const Index vertex = mesh_.vertex_at(point);
     if (vertex == no_index)
@@ -59,7 +59,7 @@ class VertexMap final : public ShortestPathMap {
     throw CapabilityError("paths are not supported", "choose a solver that provides paths");
   }
 
-  /// The counters of the run, which are the search's and outlive the map.
+  /// Sets what `counters()` returns: figures of the run, kept by the search, which outlives the map.
   void count(std::span<const Counter> counters) { counters_ = counters; }
   std::span<const Counter> counters() const override { return counters_; }
   std::size_t bytes() const {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/plugins/solver_chen_han/window_scenes.hpp"
 #include "plugins/solver_schreiber/front.hpp"
+#include "tests/plugins/common/window_scenes.hpp"
 
 /// Wavefronts over a half-edge, and what is true of them: by the ways of windows, places that no ray has to tell.
 namespace geodrome::schreiber::test {
@@ -19,12 +19,12 @@ using chen_han::Window;
 using chen_han::test::Entered;
 using chen_han::test::Place;
 using chen_han::test::power;
+using chen_han::test::random_parent_and_child;
 using chen_han::test::random_scene;
 using chen_han::test::sample_places;
 using chen_han::test::Scene;
 using shapes::Random;
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 /// With rays to two places of the half-edge; an image at one of them has its ray along the half-edge.
@@ -32,19 +32,6 @@ inline Generator generator_of(const Window& w) {
   Generator g{w.x, w.y, w.sigma, -1, 0, 1, 0, infinity, w.origin};
   g.set_low(w.low, 0), g.set_high(w.high, 0);
   return g;
-}
-
-/// A pseudo-source and one behind it, on the left, which part at `place`, where their common ray meets the half-edge.
-struct ParentAndChild {
-  Window parent, child;
-  double place;
-};
-inline ParentAndChild random_parent_and_child(Random& random) {
-  const double place = random.uniform(0.2, 0.8), share = random.uniform(0.1, 0.9);
-  const Window parent{random.uniform(-1, 2), -random.uniform(0.5, 1), random.uniform(0, 5), 0, place, 0, 0};
-  Window child{parent.x + share * (place - parent.x), parent.y * (1 - share), 0, place, 1, 1, 0};
-  child.sigma = parent.to(child.x, child.y);
-  return {parent, child, place};
 }
 
 /// Where the line from the image to a point on or above the half-edge crosses it.

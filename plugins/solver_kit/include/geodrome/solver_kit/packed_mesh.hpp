@@ -13,12 +13,14 @@
 
 namespace geodrome {
 
-/// A mesh as exact solvers want it: every face with its lengths, angles and neighbours in one piece of memory, faces
-/// and vertices along a space-filling curve, lengths multiplied by a power of two so that the mean edge is about 1
-/// long. Any mesh: edges with more than two faces and faces that run the same way along an edge too. Immutable.
+/// A mesh packed for searches across faces: every face with its lengths, angles and neighbours in one piece of memory,
+/// faces and vertices along a space-filling curve, lengths multiplied by a power of two so that the mean edge is about
+/// 1 long. Any mesh: edges with more than two faces and faces that run the same way along an edge too. Immutable;
+/// thread-safe. About 130 bytes a face.
 ///
 /// Half-edge 3 f + i runs from corner i of face f to corner i + 1. Its frame has the origin at its start, x along it,
-/// and the face at y >= 0. Faces and vertices have numbers of their own here; corners keep their order.
+/// and the face at y >= 0. Faces and vertices have numbers of their own here; corners keep their order. Indices are not
+/// checked.
 class PackedMesh {
  public:
   struct Face {
@@ -28,7 +30,7 @@ class PackedMesh {
     Index across[3];  ///< see for_each_across
   };
 
-  /// O(F log F). Throws CapabilityError for a mesh of 2^30 half-edges or more.
+  /// Packs a mesh. O(F log F). Throws CapabilityError for a mesh of 2^30 half-edges or more.
   explicit PackedMesh(MeshPtr mesh);
 
   const SurfaceMesh& mesh() const { return *mesh_; }
@@ -41,7 +43,7 @@ class PackedMesh {
   Index from(Index h) const { return faces_[h / 3].vertex[h % 3]; }
   double length(Index h) const { return faces_[h / 3].length[h % 3]; }
 
-  /// What a unit of length costs in a face: 1 unless the mesh has weights.
+  /// Returns what a unit of length costs in a face: 1 unless the mesh has weights.
   double weight(Index f) const {
     const auto weights = mesh_->face_weights();
     return weights.empty() ? 1 : weights[original_face_[f]];
@@ -66,20 +68,20 @@ class PackedMesh {
     visit(code & ~mirror_bit, (code & mirror_bit) != 0);
   }
 
-  /// Whether more than two faces meet at the edge of `h`.
+  /// Tells whether more than two faces meet at the edge of `h`.
   bool is_fan(Index h) const {
     const Index code = faces_[h / 3].across[h % 3];
     return code != no_index && (code & fan_bit) && fans_[code & ~fan_bit].second - fans_[code & ~fan_bit].first > 2;
   }
 
-  /// The place of a point in the frame of half-edge `h` of its face; `b` counts from corner 0 of the face.
+  /// Returns the place of a point in the frame of half-edge `h` of its face; `b` counts from corner 0 of the face.
   std::pair<double, double> in_frame(Index h, const std::array<double, 3>& b) const {
     const Face& face = face_of(h);
     const int i = static_cast<int>(h % 3), j = (i + 1) % 3, k = (i + 2) % 3;
     const auto [x, y] = apex(face, i);
     return {b[j] * face.length[i] + b[k] * x, b[k] * y};
   }
-  /// Place x of half-edge `h` as a point of its face, with the face's number here; beyond its ends, the nearer end.
+  /// Returns place x of half-edge `h` as a point of its face, with the face number here; beyond an end, the end.
   SurfacePoint point_on(Index h, double x) const {
     const double length = this->length(h), share = length > 0 ? std::clamp(x / length, 0.0, 1.0) : 0;
     SurfacePoint point{h / 3, {}};
@@ -87,14 +89,14 @@ class PackedMesh {
     point.b[(h + 1) % 3] = share;
     return point;
   }
-  /// The third corner in the frame of half-edge i of a face.
+  /// Returns the place of the third corner in the frame of half-edge i of a face.
   static std::pair<double, double> apex(const Face& face, int i) {
     const double side = face.length[(i + 2) % 3];
     return {side * face.cosine[i], side * face.sine[i]};
   }
 
-  /// Calls `visit(point)` for every face that holds `point`, which is no vertex, with the point's name there: its own
-  /// face, then the others on its edge. Face numbers are those here.
+  /// Calls `visit(point)` for every face that holds `point`, which is no vertex, with the name of the point there, a
+  /// face and barycentric coordinates: its own face first, then the others on its edge. Face numbers are those here.
   template <class Visit>
   void for_each_name(const SurfacePoint& point, Visit&& visit) const {
     visit(point);
@@ -109,12 +111,13 @@ class PackedMesh {
     }
   }
 
-  /// The half-edges that start at a vertex, one for each face around it; counterclockwise if the vertex is `fan`.
+  /// Returns the half-edges that start at a vertex, one for each face around it; counterclockwise unless the vertex is
+  /// `irregular`.
   std::span<const Index> corners(Index vertex) const {
     return {corners_.data() + first_corner_[vertex], corners_.data() + first_corner_[vertex + 1]};
   }
 
-  /// What shortest paths do at a vertex.
+  /// The behaviour of shortest paths at a vertex.
   enum class VertexKind : std::uint8_t {
     smooth,       ///< never bend there: total angle <= 2 pi, or on the boundary and <= pi
     saddle,       ///< may bend there; its corners go once around it
@@ -127,13 +130,13 @@ class PackedMesh {
   Index original_vertex(Index v) const { return original_vertex_[v]; }
   Index face_of_original(Index f) const { return face_of_original_[f]; }
   Index original_face(Index f) const { return original_face_[f]; }
-  /// A surface point of the mesh with the face's number here, or back.
+  /// Translate a surface point of the mesh to the face number here, and back.
   SurfacePoint inner(const SurfacePoint& p) const { return {face_of_original_[p.face], p.b}; }
   SurfacePoint original(const SurfacePoint& p) const { return {original_face_[p.face], p.b}; }
 
-  /// Lengths here are those of the mesh times 2^exponent.
+  /// Returns the exponent of the scale: lengths here are those of the mesh times 2^exponent.
   int exponent() const { return exponent_; }
-  /// The component of every vertex, by the mesh's own numbers.
+  /// Returns the component of every vertex, by the vertex numbers of the mesh itself (vertex_components).
   const std::vector<Index>& components() const { return components_; }
   std::size_t bytes() const;
 

@@ -9,7 +9,8 @@
 
 namespace geodrome {
 
-/// The components that hold a source of the current run: tells unreachable from beyond a limit. Reused from run to run.
+/// The components that hold a source of the current run: they tell unreachable points from those beyond a limit. Reused
+/// from run to run. Complexity: O(s log s) to assign s sources, O(log s) to ask.
 class SourceComponents {
  public:
   template <class Sources>

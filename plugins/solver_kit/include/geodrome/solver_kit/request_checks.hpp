@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <span>
 #include <string>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 #include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/surface.hpp"
@@ -30,7 +26,7 @@ inline void require_on_surface(const SurfaceMesh& mesh, const SurfacePoint& poin
 }
 
 /// Throws CapabilityError for a request without sources, InputError for a source or target that is not on the surface
-/// and for a start distance that is negative or not finite.
+/// and for a start distance that is negative or not finite. O(sources + targets).
 inline void require_valid(const SurfaceMesh& mesh, std::span<const Source> sources, const Request& request) {
   if (sources.empty()) throw CapabilityError("there is no source");
   for (const Source& source : sources) {
@@ -41,35 +37,11 @@ inline void require_valid(const SurfaceMesh& mesh, std::span<const Source> sourc
   for (const SurfacePoint& target : request.targets) require_on_surface(mesh, target, "a target");
 }
 
-/// The distances of a request's targets, kept after the rest is dropped (Keep::targets). Reused from run to run.
-class KeptTargets {
-  using Entry = std::pair<SurfacePoint, Distance>;
-  static auto key(const SurfacePoint& p) { return std::tuple(p.face, p.b[0], p.b[1], p.b[2]); }
-
- public:
-  void clear() { entries_.clear(); }
-
-  /// `distance_of(point)` gives the Distance of each of `targets`. O(t log t).
-  template <class Function>
-  void assign(std::span<const SurfacePoint> targets, Function&& distance_of) {
-    entries_.clear();
-    for (const SurfacePoint& target : targets) entries_.emplace_back(target, distance_of(target));
-    std::sort(entries_.begin(), entries_.end(),
-              [](const Entry& a, const Entry& b) { return key(a.first) < key(b.first); });
-  }
-
-  /// The kept distance of exactly this point; throws CapabilityError for any other. O(log t).
-  const Distance& at(const SurfacePoint& point) const {
-    const auto found = std::lower_bound(entries_.begin(), entries_.end(), point,
-                                        [](const Entry& a, const SurfacePoint& b) { return key(a.first) < key(b); });
-    if (found == entries_.end() || found->first != point)
-      throw CapabilityError("only vertices and the targets were kept", "request Keep::map");
-    return found->second;
-  }
-
- private:
-  std::vector<Entry> entries_;
-};
+/// Throws CapabilityError for a mesh with face weights: for solvers that do not provide them.
+inline void require_unweighted(const SurfaceMesh& mesh) {
+  if (!mesh.face_weights().empty())
+    throw CapabilityError("face weights are not supported", "choose a solver that provides weights");
+}
 
 /// Throws CapabilityError unless the request asked to keep what paths need.
 inline void require_paths(Keep keep) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/mesh/packed_mesh.hpp"
+#include "geodrome/solver_kit/packed_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "geodrome/spatial_order.hpp"
 #include "geodrome/vertex_components.hpp"
-#include "plugins/common/points/spatial_order.hpp"
 
 namespace geodrome {
 namespace {
@@ -16,9 +16,8 @@ namespace {
 /// coordinates makes angles err by less wherever faces are not needles.
 constexpr double flat = 1e-12;
 
-/// On an edge shorter than this share of the bounding box rounding moves places by 1e-5 of its length or more, and
-/// turns the direction of a way that bends there as much. Where a path can go on from its ends is then not for angles
-/// to say.
+/// Rounding moves places on an edge shorter than this share of the bounding box by 1e-5 of its length or more, and
+/// turns the direction of a path that bends there as much. So angles cannot say where a path can go on from its ends.
 constexpr double no_place = 1e-9;
 
 /// A face with a corner as flat as this (rad) is a segment: straight lines along it cross the edges at no place of
@@ -47,7 +46,7 @@ PackedMesh::PackedMesh(MeshPtr mesh) : mesh_(std::move(mesh)) {
   judge_vertices();
 }
 
-/// Faces along a Z-order curve by their centres, vertices by the first face that has them, unused ones last.
+/// Numbers faces along a Z-order curve by their centres, vertices by the first face that has them, unused ones last.
 void PackedMesh::number() {
   const SurfaceMesh& mesh = *mesh_;
   std::vector<Vec3> centres;

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/points/spatial_order.hpp"
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
+#include <vector>
+
+#include "geodrome/geometry.hpp"
 
 namespace geodrome {
-namespace {
+namespace detail {
 
 /// Puts two zero bits between any two of the lower 21 bits.
-std::uint64_t spread(std::uint64_t bits) {
+inline std::uint64_t spread_bits(std::uint64_t bits) {
   bits = (bits | bits << 32) & 0x001f00000000ffff;
   bits = (bits | bits << 16) & 0x001f0000ff0000ff;
   bits = (bits | bits << 8) & 0x100f00f00f00f00f;
@@ -17,9 +21,12 @@ std::uint64_t spread(std::uint64_t bits) {
   return (bits | bits << 2) & 0x1249249249249249;
 }
 
-}  // namespace
+}  // namespace detail
 
-std::vector<Index> spatial_order(std::span<const Vec3> points) {
+/// Returns the indices of the points along a Z-order curve (Morton), ties by index. A loop of neighbour searches in
+/// this order finds the tree in the cache: several times faster for a million points. Points must be finite. O(n log
+/// n). Thread-safe.
+inline std::vector<Index> spatial_order(std::span<const Vec3> points) {
   if (points.empty()) return {};
   Vec3 low = points.front(), high = low;
   for (const Vec3& p : points) {
@@ -34,7 +41,8 @@ std::vector<Index> spatial_order(std::span<const Vec3> points) {
   coded.reserve(points.size());
   for (Index i = 0; i < points.size(); ++i) {
     const Vec3 p = points[i] - low;
-    coded.emplace_back(spread(cell(p.x)) << 2 | spread(cell(p.y)) << 1 | spread(cell(p.z)), i);
+    coded.emplace_back(
+        detail::spread_bits(cell(p.x)) << 2 | detail::spread_bits(cell(p.y)) << 1 | detail::spread_bits(cell(p.z)), i);
   }
   std::sort(coded.begin(), coded.end());
   std::vector<Index> order;

@@ -11,14 +11,15 @@
 
 namespace geodrome {
 
-/// A priority queue of elements 0 ... n - 1, each at most once, lowest key first, equal keys by element. Keys
-/// are >= 0, not -0. A 4-ary heap that holds the keys, so that comparing touches nothing else. Emptying it leaves it as
-/// new.
+/// A priority queue of elements 0 ... n - 1, each at most once, lowest key first, equal keys by element. Keys are >= 0
+/// and may be +inf, but not NaN; -0 counts as 0. A 4-ary heap that holds the keys, so that comparing touches nothing
+/// else. Emptied, it is as new. One per thread.
 class IndexedHeap {
  public:
   explicit IndexedHeap(std::size_t count) : place_(count, nowhere) {}
 
   bool empty() const { return entries_.empty(); }
+  /// The lowest key and its element. Precondition: not empty.
   double top_key() const { return entries_.front().key(); }
   Index top() const { return entries_.front().element(); }
   bool holds(Index element) const { return place_[element] != nowhere; }
@@ -42,7 +43,7 @@ class IndexedHeap {
     rise(at, {key, element});
   }
 
-  /// Removes and returns the first element. O(log n). Not empty.
+  /// Removes and returns the first element. Precondition: not empty. O(log n).
   Index pop() {
     const Index first = entries_.front().element();
     place_[first] = nowhere;
@@ -65,7 +66,8 @@ class IndexedHeap {
   class Entry {
    public:
     Entry() = default;
-    Entry(double key, Index element) : rank_((Rank{std::bit_cast<std::uint64_t>(key)} << 64) | element) {}
+    Entry(double key, Index element)
+        : rank_((Rank{std::bit_cast<std::uint64_t>(key + 0.0)} << 64) | element) {}  // no -0
     double key() const { return std::bit_cast<double>(static_cast<std::uint64_t>(rank_ >> 64)); }
     Index element() const { return static_cast<Index>(rank_); }
     bool before(const Entry& other) const { return rank_ < other.rank_; }

@@ -126,6 +126,19 @@ inline Scene random_scene(Random& random, std::size_t most) {
   return scene;
 }
 
+/// A pseudo-source and one behind it, on the left, which part at `place`, where their common ray meets the half-edge.
+struct ParentAndChild {
+  Window parent, child;
+  double place;
+};
+inline ParentAndChild random_parent_and_child(Random& random) {
+  const double place = random.uniform(0.2, 0.8), share = random.uniform(0.1, 0.9);
+  const Window parent{random.uniform(-1, 2), -random.uniform(0.5, 1), random.uniform(0, 5), 0, place, 0, 0};
+  Window child{parent.x + share * (place - parent.x), parent.y * (1 - share), 0, place, 1, 1, 0};
+  child.sigma = parent.to(child.x, child.y);
+  return {parent, child, place};
+}
+
 /// One place within each part into which the ends of windows cut the half-edge, and some more. Parts narrower than
 /// 1e-9 of it are left out: there the rounding of a place counts for more than that of a distance.
 inline std::vector<double> sample_places(double length, std::vector<double> ends, Random& random) {
