@@ -12,16 +12,6 @@
 namespace geodrome::chen_han::test {
 namespace {
 
-constexpr double length = 1.5;
-
-/// An image at about `distance` from the half-edge's middle, whose own height is anything, nothing too.
-Window random_window(double distance, double spread, Random& random) {
-  const double y = random.uniform() < 0.1 ? 0 : -power(random, 1e-14, 2);
-  Window w{random.uniform(-1, length + 1), y, 0, 0, length, 0, no_index};
-  w.sigma = std::max(0.0, distance + spread * random.uniform() - w.at(length / 2));
-  return w;
-}
-
 /// Two windows that are equally far at some place, each nearer on its own side of it within [low, high].
 struct Tie {
   Window a, b;
@@ -64,7 +54,7 @@ testing::AssertionResult equally_far(const Tie& tie) {
 double line_through(const Window& a, const Window& b) { return b.x + (a.x - b.x) * (b.y / (b.y - a.y)); }
 
 TEST(EqualPlace, IsFoundForAnyImages) {
-  for (const Tie& tie : random_ties(1, [](Random&random, Window&, Window&) { return random.uniform(0, length); }))
+  for (const Tie& tie : random_ties(1, [](Random&random, Window&, Window&) { return random.uniform(0, usual_length); }))
     ASSERT_TRUE(equally_far(tie));
 }
 
@@ -80,7 +70,7 @@ TEST(EqualPlace, IsFoundWhereTheDifferenceOfSigmasIsNearlyThatOfTheImages) {
 TEST(EqualPlace, IsFoundForImagesThatAreNearlyTheSame) {
   for (const Tie& tie : random_ties(3, [](Random&random, Window&a, Window&b) {
          b.x = a.x + power(random, 1e-12, 1e-3), b.y = std::min(0.0, a.y + power(random, 1e-12, 1e-3));
-         return random.uniform(0, length);
+         return random.uniform(0, usual_length);
        }))
     ASSERT_TRUE(equally_far(tie));
 }
@@ -88,7 +78,7 @@ TEST(EqualPlace, IsFoundForImagesThatAreNearlyTheSame) {
 TEST(EqualPlace, IsFoundForImagesThatGrazeTheHalfEdge) {
   for (const Tie& tie : random_ties(4, [](Random&random, Window&a, Window&b) {
          a.y = -power(random, 1e-16, 1e-6), b.y = random.uniform() < 0.3 ? a.y : -power(random, 1e-16, 1e-6);
-         return random.uniform(0, length);
+         return random.uniform(0, usual_length);
        }))
     ASSERT_TRUE(equally_far(tie));
 }
@@ -96,9 +86,9 @@ TEST(EqualPlace, IsFoundForImagesThatGrazeTheHalfEdge) {
 /// Here a distance is smaller than the places on the half-edge, so its last bits are those of the place.
 TEST(EqualPlace, IsFoundForImagesCloseToTheirPlace) {
   for (const Tie& tie : random_ties(5, [](Random&random, Window&a, Window&b) {
-         const double x = random.uniform(0.1, length), size = power(random, 1e-12, 1e-2);
-         a = {x + size * random.uniform(-1, 0), -size * random.uniform(), 0, 0, length, 0, no_index};
-         b = {x + size * random.uniform(), -size * random.uniform(), 0, 0, length, 0, no_index};
+         const double x = random.uniform(0.1, usual_length), size = power(random, 1e-12, 1e-2);
+         a = {x + size * random.uniform(-1, 0), -size * random.uniform(), 0, 0, usual_length, 0, no_index};
+         b = {x + size * random.uniform(), -size * random.uniform(), 0, 0, usual_length, 0, no_index};
          return x;
        }))
     ASSERT_TRUE(equally_far(tie));

@@ -13,20 +13,10 @@
 namespace geodrome::chen_han::test {
 namespace {
 
-constexpr double length = 1.5;
-
-/// An image at about `distance` from the half-edge's middle, whose own height is anything, nothing too.
-Window random_window(double distance, double spread, Random& random) {
-  const double y = random.uniform() < 0.1 ? 0 : -power(random, 1e-14, 2);
-  Window w{random.uniform(-1, length + 1), y, 0, 0, length, 0, no_index};
-  w.sigma = std::max(0.0, distance + spread * random.uniform() - w.at(length / 2));
-  return w;
-}
-
 /// Up to `most` disjoint ascending windows; some touch.
 std::vector<Window> random_list(std::size_t most, double spread, Index first_name, Random& random) {
   std::vector<double> ends(2 * random.index(most + 1));
-  for (double& end : ends) end = random.uniform() < 0.1 ? length : random.uniform(0, length);
+  for (double& end : ends) end = random.uniform() < 0.1 ? usual_length : random.uniform(0, usual_length);
   std::sort(ends.begin(), ends.end());
   std::vector<Window> list;
   for (std::size_t i = 0; i + 1 < ends.size(); i += random.index(2) + 1) {
@@ -105,7 +95,7 @@ TYPED_TEST(LowerEnvelopeOf, KeepsTheNearestAtEveryPlace) {
     for (const auto* windows : {&all, &kept})
       for (const Window& w : *windows) ends.push_back(w.low), ends.push_back(w.high);
     Random random(seed);
-    for (const double x : sample_places(length, ends, random)) {
+    for (const double x : sample_places(usual_length, ends, random)) {
       const double expected = nearest(all, x), seen = nearest(kept, x);
       if (std::isinf(expected) && std::isinf(seen)) continue;
       ASSERT_LE(std::abs(seen - expected), 2 * equal_share * expected) << "seed " << seed << " at " << x;

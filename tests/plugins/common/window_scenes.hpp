@@ -126,6 +126,17 @@ inline Scene random_scene(Random& random, std::size_t most) {
   return scene;
 }
 
+/// The length of a half-edge where any would do.
+inline constexpr double usual_length = 1.5;
+
+/// An image at about `distance` from the half-edge's middle, whose own height is anything, nothing too.
+inline Window random_window(double distance, double spread, Random& random) {
+  const double y = random.uniform() < 0.1 ? 0 : -power(random, 1e-14, 2);
+  Window w{random.uniform(-1, usual_length + 1), y, 0, 0, usual_length, 0, no_index};
+  w.sigma = std::max(0.0, distance + spread * random.uniform() - w.at(usual_length / 2));
+  return w;
+}
+
 /// A pseudo-source and one behind it, on the left, which part at `place`, where their common ray meets the half-edge.
 struct ParentAndChild {
   Window parent, child;
