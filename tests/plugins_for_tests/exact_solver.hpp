@@ -12,7 +12,8 @@ class ExactSolver final : public LoadedSolver {
  public:
   static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
                                        Provides::target_limit | Provides::any_point | Provides::paths |
-                                       Provides::path_is_distance | Provides::factor_any_point | Provides::never_shorter;
+                                       Provides::path_is_distance | Provides::factor_any_point |
+                                       Provides::never_shorter;
 
   ExactSolver() : LoadedSolver(GEODROME_EXACT_SOLVER) {}
 };

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // A whole solver out of the kit: along edges from vertex to vertex, then straight to a point of a face.
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "geodrome/plugin.hpp"
 #include "geodrome/solver_kit/indexed_heap.hpp"
@@ -113,5 +117,5 @@ class Solver final : public ShortestPathSolver {
 }  // namespace
 
 GEODROME_PLUGIN(Solver, .name = "by_kit", .summary = "along edges, out of the solver kit", .licence = "MIT",
-                .provides = Provides::start_distances | Provides::radius_limit | Provides::any_point |
-                            Provides::paths | Provides::path_is_distance)
+                .provides = Provides::start_distances | Provides::radius_limit | Provides::any_point | Provides::paths |
+                            Provides::path_is_distance)
