@@ -23,7 +23,10 @@ TEST(Capabilities, WordsComeInTheOrderOfTheBits) {
 
 TEST(Capabilities, EveryKnownBitHasOneWord) {
   std::uint64_t bit = 1;
-  for (const auto& known : provides_words) EXPECT_EQ(static_cast<std::uint64_t>(known.bit), bit), bit *= 2;
+  for (const auto& known : provides_words) {
+    EXPECT_EQ(static_cast<std::uint64_t>(known.bit), bit) << known.word;
+    bit *= 2;
+  }
   EXPECT_EQ(unknown_bits(Provides{bit}), Provides{bit}) << "the bit behind the last one";
 }
 

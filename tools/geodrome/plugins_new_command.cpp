@@ -46,7 +46,7 @@ std::string replaced(std::string text, const std::string& word, const std::strin
 }
 
 /// Puts stage and name in the place of "template_stage", "template_name" and "TemplateName".
-std::string filled(const std::string& text, const NewPluginArguments& arguments) {
+std::string filled_in(const std::string& text, const NewPluginArguments& arguments) {
   const std::string staged = replaced(text, "template_stage", arguments.stage);
   return replaced(replaced(staged, "template_name", arguments.name), "TemplateName", class_name(arguments.name));
 }
@@ -60,7 +60,7 @@ void copy_file(const fs::path& from, const fs::path& to, const NewPluginArgument
   std::ostringstream text;
   text << std::ifstream(from, std::ios::binary).rdbuf();
   std::ofstream out(to, std::ios::binary);
-  out << filled(text.str(), arguments);
+  out << filled_in(text.str(), arguments);
   if (!out.flush()) throw unwritable(to);
   std::cout << to.string() << "\n";
 }
@@ -70,7 +70,7 @@ std::map<std::string, fs::path> template_files(const NewPluginArguments& argumen
   std::map<std::string, fs::path> files;
   for (const std::string& folder : {std::string("common"), arguments.stage})
     for (const auto& entry : fs::directory_iterator(installed_data("templates/" + folder)))
-      files[filled(entry.path().filename().string(), arguments)] = entry.path();
+      files[filled_in(entry.path().filename().string(), arguments)] = entry.path();
   return files;
 }
 
