@@ -71,7 +71,7 @@ class Compare : public ::testing::Test {
 };
 
 using Keys = std::set<std::string>;
-constexpr const char* bad_plugins = GEODROME_BINARY_DIR "/tests/bad_plugins";
+constexpr const char* sound_plugins = GEODROME_BINARY_DIR "/tests/sound_plugins";
 
 TEST_F(Compare, FiguresHaveTheKeysOfTheSchema) {
   const json f = cube_figures({"--stage", "solver=chen_han,edge_dijkstra", "--growth", "1"});
@@ -165,7 +165,7 @@ TEST_F(Compare, AnExactTruthJudgesGuarantees) {
 
 TEST_F(Compare, ABrokenGuaranteeIsToldLoudly) {
   const std::vector<std::string> arguments{
-      "--stage", "solver=chen_han,test_straight", "--plugin-path", bad_plugins, "--truth", "exact"};
+      "--stage", "solver=chen_han,test_straight", "--plugin-path", sound_plugins, "--truth", "exact"};
   const Outcome outcome = cube(arguments);
   expect(outcome, 5, "broken promise: test_straight: ");
   EXPECT_NE(outcome.err.find("below the true ones"), std::string::npos) << outcome.err;
@@ -177,7 +177,7 @@ TEST_F(Compare, ABrokenGuaranteeIsToldLoudly) {
 }
 
 TEST_F(Compare, AnEstimateThatStatesNothingBreaksNothing) {
-  const json f = cube_figures({"--solver", "test_estimate", "--plugin-path", bad_plugins, "--truth", "exact"});
+  const json f = cube_figures({"--solver", "test_estimate", "--plugin-path", sound_plugins, "--truth", "exact"});
   const json& c = f["combinations"][0];
   EXPECT_EQ(c["never_shorter"], false);
   EXPECT_GT(c["errors"]["max_under"], 0.1);
@@ -194,7 +194,7 @@ TEST_F(Compare, InvariantsOfTheRowsAreShown) {
   write_bytes(folder_ / "two.off",
               "OFF\n8 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n5 0 0\n6 0 0\n6 1 0\n5 1 0\n"
               "3 0 1 2\n3 0 2 3\n3 4 5 6\n3 4 6 7\n");
-  const std::vector<std::string> arguments{"--stage", "solver=chen_han,test_straight", "--plugin-path", bad_plugins};
+  const std::vector<std::string> arguments{"--stage", "solver=chen_han,test_straight", "--plugin-path", sound_plugins};
   const json f = figures(file("two.off"), arguments, 5);
   const json &right = f["combinations"][0], &wrong = f["combinations"][1];
   EXPECT_EQ(right["unreachable"], 4);

@@ -63,7 +63,7 @@ TEST_F(ExitStatus, IsFourForASampleThatIsNotFit) {
 
 TEST_F(ExitStatus, IsFiveForDistancesThatBreakAPromise) {
   write_bytes(folder_ / "two.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n5 0 0\n6 0 0\n5 1 0\n3 0 1 2\n3 3 4 5\n");
-  const std::string plugins = std::string(GEODROME_BINARY_DIR) + "/tests/bad_plugins";
+  const std::string plugins = std::string(GEODROME_BINARY_DIR) + "/tests/sound_plugins";
   expect(
       run({"distances", file("two.off"), "-o", file("d.npy"), "--solver", "test_straight", "--plugin-path", plugins}),
       5, "18 distances between components are numbers");

@@ -15,7 +15,7 @@ using namespace geodrome::testing;
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-const std::string plugins = std::string(GEODROME_BINARY_DIR) + "/tests/bad_plugins";
+const std::string plugins = std::string(GEODROME_BINARY_DIR) + "/tests/sound_plugins";
 
 /// An icosphere and pairs on it, answered by the tests' own oracle.
 class Queries : public ::testing::Test {

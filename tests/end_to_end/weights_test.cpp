@@ -30,7 +30,7 @@ class Weights : public ::testing::Test {
   /// A command on the mesh with plugins for tests, and more arguments.
   Outcome run(const std::string& command, const std::vector<std::string>& more) {
     std::vector<std::string> arguments{command, file("m.ply"), "--plugin-path",
-                                       GEODROME_BINARY_DIR "/tests/bad_plugins"};
+                                       GEODROME_BINARY_DIR "/tests/sound_plugins"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_geodrome(folder_, arguments);
   }
@@ -141,7 +141,7 @@ TEST_F(Weights, ThatDifferAreAnotherRunWhichIsNotResumed) {
   const std::vector<std::string> job{"distances",
                                      file("m.ply"),
                                      "--plugin-path",
-                                     GEODROME_BINARY_DIR "/tests/bad_plugins",
+                                     GEODROME_BINARY_DIR "/tests/sound_plugins",
                                      "--solver",
                                      "test_weighted",
                                      "-o",

@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Plugin<ShortestPathSolver> loaded(const std::string& name) {
-  const fs::path file = fs::path(GEODROME_BINARY_DIR) / "tests" / "bad_plugins" / ("solver_" + name + ".so");
+  const fs::path file = fs::path(GEODROME_BINARY_DIR) / "tests" / "sound_plugins" / ("solver_" + name + ".so");
   return PluginHost().load<ShortestPathSolver>(file.string());
 }
 

@@ -22,9 +22,12 @@ namespace fs = std::filesystem;
 using testing::Environment;
 using testing::TemporaryFolder;
 
-const fs::path bad_plugins = fs::path(GEODROME_BINARY_DIR) / "tests" / "bad_plugins";
+const fs::path plugins_for_tests = fs::path(GEODROME_BINARY_DIR) / "tests";
+const fs::path bad_plugins = plugins_for_tests / "bad_plugins", sound_plugins = plugins_for_tests / "sound_plugins";
 
-fs::path plugin_file(const std::string& name) { return bad_plugins / ("solver_" + name + ".so"); }
+fs::path plugin_file(const std::string& name) {
+  return (name.starts_with("bad_") ? bad_plugins : sound_plugins) / ("solver_" + name + ".so");
+}
 
 /// What the host says of a file; empty if it accepts it.
 std::string refusal(const fs::path& file) {
@@ -135,7 +138,7 @@ TEST(PluginHost, TellsTheLoadersOwnReasonOnly) {
 
 TEST(PluginHost, ListSurvivesAllBadPluginsTogether) {
   const Environment limit("GEODROME_VET_TIMEOUT", "3");
-  const PluginListing listing = PluginHost({bad_plugins}).list();
+  const PluginListing listing = PluginHost({bad_plugins, sound_plugins}).list();
   const auto offers = [&](const char* name) {
     return std::any_of(listing.usable.begin(), listing.usable.end(), [&](const auto& p) { return p.name == name; });
   };
@@ -164,7 +167,7 @@ TEST(PluginHost, InspectTellsAllThatTheDescriptorSays) {
 }
 
 TEST(PluginHost, LoadsByNameByFullNameAndByFile) {
-  const PluginHost host({bad_plugins});
+  const PluginHost host({sound_plugins});
   for (const std::string& selection :
        {std::string("test_straight"), std::string("solver_test_straight"), plugin_file("test_straight").string()}) {
     const auto solver = host.load<ShortestPathSolver>(selection);
@@ -174,7 +177,7 @@ TEST(PluginHost, LoadsByNameByFullNameAndByFile) {
 }
 
 TEST(PluginHost, OptionsReachThePluginAndItsFactor) {
-  const PluginHost host({bad_plugins});
+  const PluginHost host({sound_plugins});
   EXPECT_EQ(host.load<ShortestPathSolver>("test_straight:slack=2,mood=wild").factor, 3);
   const auto by_file = host.load<ShortestPathSolver>(plugin_file("test_straight").string() + ":slack=4");
   EXPECT_EQ(by_file.options.text("mood"), "calm");
@@ -182,12 +185,12 @@ TEST(PluginHost, OptionsReachThePluginAndItsFactor) {
 }
 
 TEST(PluginHost, AWrongOptionNamesPluginAndRange) {
-  const std::string message = message_of_load<OptionError>(PluginHost({bad_plugins}), "test_straight:rounds=10");
+  const std::string message = message_of_load<OptionError>(PluginHost({sound_plugins}), "test_straight:rounds=10");
   EXPECT_CONTAINS(message, "solver_test_straight: option 'rounds': '10' is not a whole number from 1 to 9");
 }
 
 TEST(PluginHost, AnOptionErrorOfThePluginStaysOne) {
-  const std::string message = message_of_load<OptionError>(PluginHost({bad_plugins}), "test_straight:rounds=7");
+  const std::string message = message_of_load<OptionError>(PluginHost({sound_plugins}), "test_straight:rounds=7");
   EXPECT_CONTAINS(message, "solver_test_straight: 7 rounds are too many");
 }
 
@@ -217,7 +220,7 @@ TEST(PluginHost, NoObjectWithoutAReasonIsAnError) {
 TEST(PluginHost, ARunVetsOnlyWhatItChose) {
   const Environment limit("GEODROME_VET_TIMEOUT", "60");  // the one that hangs is in the same folder
   const auto begin = std::chrono::steady_clock::now();
-  PluginHost({bad_plugins}).load<ShortestPathSolver>("test_straight");
+  PluginHost({sound_plugins}).load<ShortestPathSolver>("test_straight");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(50));
 }
 
@@ -284,7 +287,7 @@ TEST(PluginHost, AWrongTimeLimitIsAnOptionError) {
 }
 
 TEST(PluginHost, ThreadsMayLoadTheSamePluginAtOnce) {
-  const PluginHost host({bad_plugins});
+  const PluginHost host({sound_plugins});
   std::vector<std::thread> threads;
   std::atomic<int> loaded = 0;
   for (int i = 0; i < 4; ++i)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "plugins/solver_schreiber/front.hpp"
+#include "plugins/solver_schreiber/lifetime.hpp"
 #include "tests/plugins/solver_schreiber/wavefronts.hpp"
 
 /// What must hold of every front, and the fixture of tests of its operations.

@@ -17,6 +17,7 @@ namespace geodrome::schreiber::test {
 
 using chen_han::Window;
 using chen_han::test::Entered;
+using chen_han::test::ParentAndChild;
 using chen_han::test::Place;
 using chen_han::test::power;
 using chen_han::test::random_parent_and_child;

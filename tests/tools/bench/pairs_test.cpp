@@ -11,7 +11,7 @@ namespace {
 MeshPtr plane() { return std::make_shared<const SurfaceMesh>(shapes::mesh("plane", 100)); }
 
 Plugin<ShortestPathSolver> load(const std::string& selection) {
-  return PluginHost({GEODROME_BINARY_DIR "/tests/bad_plugins"}).load<ShortestPathSolver>(selection);
+  return PluginHost({GEODROME_BINARY_DIR "/tests/sound_plugins"}).load<ShortestPathSolver>(selection);
 }
 
 PairFigures figures(const std::string& solver,
