@@ -107,28 +107,16 @@ void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t 
                                    std::to_string(threads) + (threads == 1 ? " thread" : " threads"));
 }
 
-/// Rows still missing, each once, over all threads.
-void compute_rows(const std::vector<std::uint64_t>& missing, MatrixFile& file, RowMaker& maker,
-                  const PreparedSolver& solver, std::size_t columns, unsigned threads, std::uint64_t seed,
-                  Observer& observer) {
+/// Computes the rows of the set that the sink has not.
+void compute_rows(const RowSet& rows, RowSink& sink, RowMaker& maker, const PreparedSolver& solver, std::size_t columns,
+                  unsigned threads, std::uint64_t seed, Observer& observer) {
   StageContext context("distances", observer, threads, seed);
-  std::atomic<std::uint64_t> done = 0;
-  const auto make_worker = [&]() -> RowWorker {
-    std::shared_ptr<Search> search = make_search(solver);
-    return [&, search, row = std::vector<double>(columns)](std::uint64_t k) mutable {
-      maker.make(*search, missing[k], row);
-      file.write(missing[k], row);
-      context.progress(static_cast<double>(++done) / static_cast<double>(missing.size()));
+  const auto make_filler = [&]() -> RowFiller {
+    return [&maker, search = std::shared_ptr(make_search(solver))](std::uint64_t i, std::span<double> row) {
+      maker.make(*search, i, row);
     };
   };
-  run_rows(missing.size(), threads, make_worker, context);
-}
-
-std::vector<std::uint64_t> missing_rows(const MatrixFile& file, std::uint64_t rows) {
-  std::vector<std::uint64_t> missing;
-  for (std::uint64_t i = 0; i < rows; ++i)
-    if (!file.has(i)) missing.push_back(i);
-  return missing;
+  fill_rows(rows, sink, columns, threads, make_filler, context);
 }
 
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
@@ -190,12 +178,12 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   MatrixFile file = MatrixFile::open(spec, job.resume);
   result.resumed_rows = file.rows_done();
   if (!file.has(0)) file.write(0, row);
-  const std::vector<std::uint64_t> missing = missing_rows(file, spec.rows);
-  tell_plan(spec, result.bytes, missing.size(), result.first_row_seconds, threads, observer);
+  const RowSet rows = RowSet::all(spec.rows);
+  tell_plan(spec, result.bytes, missing_rows(rows, file).size(), result.first_row_seconds, threads, observer);
 
   const Stopwatch watch;
   try {
-    compute_rows(missing, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
+    compute_rows(rows, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
   } catch (const Cancelled&) {
     observer.log(LogLevel::info, job.matrix.string() + ".partial holds " + std::to_string(file.rows_done()) + " of " +
                                      std::to_string(spec.rows) + " rows; " + observer.words(remedies::go_on()));

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <mutex>
@@ -127,6 +128,83 @@ TEST(RunRows, StopsWhenCancelled) {
   };
   EXPECT_THROW(run_rows(1'000'000'000, 3, make, context), Cancelled);
   EXPECT_LT(done, 60u);
+}
+
+/// Fills a row with numbers that no other row has.
+RowFiller numbers() {
+  return [](std::uint64_t row, std::span<double> values) {
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<double>(100 * row + i);
+  };
+}
+
+TEST(FillRows, GivesASinkTheSameForAnyNumberOfThreads) {
+  QuietContext context;
+  std::vector<double> expected(97 * 3);
+  for (std::size_t i = 0; i < expected.size(); ++i) expected[i] = static_cast<double>(100 * (i / 3) + i % 3);
+  for (const unsigned threads : {0u, 1u, 2u, 7u}) {
+    std::vector<double> array(97 * 3, -1);
+    MatrixInMemory<double> matrix(array, 97, 3);
+    fill_rows(RowSet::all(97), matrix, 3, threads, numbers, context);
+    matrix.finish();
+    EXPECT_EQ(array, expected) << threads;
+  }
+}
+
+TEST(FillRows, FillsTheRowsOfTheSetAlone) {
+  QuietContext context;
+  std::vector<double> array(8, -1);
+  MatrixInMemory<double> matrix(array, 8, 1);
+  fill_rows(RowSet::part(1, 3, 8), matrix, 1, 2, numbers, context);
+  EXPECT_EQ(array, (std::vector<double>{-1, 100, -1, -1, 400, -1, -1, 700}));
+}
+
+TEST(FillRows, PartsMakeTheWholeMatrix) {
+  QuietContext context;
+  RowStatistics in_parts(10, 4), at_once(10, 4);
+  for (std::uint64_t part = 0; part < 3; ++part) fill_rows(RowSet::part(part, 3, 10), in_parts, 4, 2, numbers, context);
+  fill_rows(RowSet::all(10), at_once, 4, 1, numbers, context);
+  in_parts.finish();
+  EXPECT_TRUE(std::ranges::equal(in_parts.rows(), at_once.rows()));
+}
+
+TEST(FillRows, LeavesRowsThatTheSinkHas) {
+  QuietContext context;
+  std::vector<double> array(4, -1);
+  MatrixInMemory<double> matrix(array, 4, 1);
+  matrix.write(2, std::vector<double>{7});
+  EXPECT_EQ(missing_rows(RowSet::all(4), matrix), (std::vector<std::uint64_t>{0, 1, 3}));
+  fill_rows(RowSet::all(4), matrix, 1, 2, numbers, context);
+  EXPECT_EQ(array, (std::vector<double>{0, 100, 7, 300}));
+}
+
+TEST(FillRows, HandsNoRowOnThatFailed) {
+  QuietContext context;
+  std::vector<double> array(5, -1);
+  MatrixInMemory<double> matrix(array, 5, 1);
+  const auto make = [&]() -> RowFiller {
+    return [](std::uint64_t row, std::span<double>) {
+      if (row == 3) throw SampleError("stop");
+    };
+  };
+  EXPECT_THROW(fill_rows(RowSet::all(5), matrix, 1, 1, make, context), SampleError);
+  EXPECT_TRUE(matrix.has(2));
+  EXPECT_FALSE(matrix.has(3));
+  EXPECT_FALSE(matrix.has(4));
+}
+
+/// Keeps the last share that it was told.
+class ProgressContext : public QuietContext {
+ public:
+  void progress(double fraction) override { last = fraction; }
+  double last = -1;
+};
+
+TEST(FillRows, TellsTheShareOfTheRowsThatWereMissing) {
+  ProgressContext context;
+  RowStatistics statistics(4, 1);
+  statistics.write(0, std::vector<double>{1});
+  fill_rows(RowSet::all(3), statistics, 1, 1, numbers, context);
+  EXPECT_EQ(context.last, 1);
 }
 
 }  // namespace
