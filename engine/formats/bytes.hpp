@@ -6,8 +6,9 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <string>
 
-namespace geodrome::input {
+namespace geodrome {
 
 /// A number of a given byte order at `from`. Precondition: sizeof(Number) bytes are there.
 template <class Number>
@@ -18,4 +19,11 @@ Number load(const char* from, std::endian order) {
   return std::bit_cast<Number>(bytes);
 }
 
-}  // namespace geodrome::input
+template <class Number>
+void append_little_endian(std::string& bytes, Number number) {
+  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  if constexpr (std::endian::native != std::endian::little) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+}  // namespace geodrome

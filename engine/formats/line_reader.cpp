@@ -119,4 +119,9 @@ void LineReader::reject_short(const std::string& what) const {
   reject(is_last() ? InputFault::truncated : InputFault::syntax, what);
 }
 
+std::string_view first_word(const SourceFile& file) {
+  LineReader lines(file, {.comment = '#'});
+  return lines.next() ? lines.word() : std::string_view{};
+}
+
 }  // namespace geodrome::input

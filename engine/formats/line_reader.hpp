@@ -58,4 +58,7 @@ class LineReader {
   std::size_t position_ = 0, end_ = 0;  // what is left of the current line
 };
 
+/// The first word of a text whose comments begin with '#'; empty if there is none.
+std::string_view first_word(const SourceFile& file);
+
 }  // namespace geodrome::input

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/formats/npy.hpp"
 
+#include "engine/formats/table.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -28,6 +30,15 @@ std::string npy_header(std::uint64_t rows, std::uint64_t columns, ScalarType sca
 
 std::string npy_header(std::uint64_t count, ScalarType scalar) {
   return header_of(std::to_string(count) + ",", scalar);
+}
+
+Format npy_format() {
+  static constexpr MatrixFormat matrix{.dense = npy_dense};
+  return {.name = "NPY",
+          .endings = {".npy"},
+          .uses = {{Content::matrix, "float64 or float32 in C order, to compare with", "float64 or float32"},
+                   {.content = Content::pairs, .written = "float64, a vector"}},
+          .matrix = &matrix};
 }
 
 }  // namespace geodrome

@@ -6,8 +6,8 @@
 #include "engine/formats/bytes.hpp"
 #include "engine/formats/line_reader.hpp"
 #include "engine/formats/ply_header.hpp"
+#include "engine/formats/ply_reader.hpp"
 #include "engine/formats/remedies.hpp"
-#include "engine/formats/soup.hpp"
 
 namespace geodrome::input {
 namespace {
@@ -149,7 +149,7 @@ void read_rows(const SourceFile& file, const PlyHeader& header, const PlyElement
 
 template <class Values>
 Soup read_body(const SourceFile& file, const PlyHeader& header) {
-  Soup soup{.format = "ply"};
+  Soup soup;
   Values values(file, header);
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;  // its rows take no bytes, however many there are
@@ -163,9 +163,7 @@ Soup read_body(const SourceFile& file, const PlyHeader& header) {
 
 }  // namespace
 
-Soup parse_ply(const SourceFile& file) { return parse_weighted_ply(file, {}); }
-
-Soup parse_weighted_ply(const SourceFile& file, std::string_view weight_property) {
+Soup read_ply(const SourceFile& file, std::string_view weight_property) {
   const PlyHeader header = read_ply_header(file, weight_property);
   Soup soup = header.encoding == PlyEncoding::ascii ? read_body<TextValues>(file, header)
                                                     : read_body<BinaryValues>(file, header);

@@ -15,11 +15,12 @@ namespace geodrome::input {
 
 /// What a file holds, as it is stored: points and polygons of any number of corners. Every corner is a position.
 struct Soup {
-  std::string format;
+  std::string format;                 ///< the name in the table of formats, in lower case; set by `parse`
   std::vector<Vec3> positions;        ///< may be non-finite
   std::vector<Index> corners;         ///< of all faces, one after the other
   std::vector<std::size_t> face_end;  ///< per face: one past its last corner
   std::vector<double> face_weights;   ///< per face, unchecked; empty if no property was asked for
+  bool vertices_by_place = false;     ///< equal positions are one vertex, which the format cannot say (STL)
   std::vector<Finding> findings;
 
   std::size_t face_count() const noexcept { return face_end.size(); }
@@ -29,22 +30,9 @@ struct Soup {
   }
 };
 
-/// Reads a file of the format that its content, or else its name, tells. `weight_property`: a property of the faces of
-/// a PLY file, for `Soup::face_weights`; empty: none. Throws InputError, also if the faces have no such property.
+/// Reads a file of the format that its content, or else its name, tells (table.hpp). `weight_property`: a property of
+/// the faces, for `Soup::face_weights`; empty: none. Throws InputError, also if the faces have no such property.
 Soup parse(const SourceFile& file, std::string_view weight_property = {});
-
-// One parser per format. Each throws InputError, naming the line or element, for what is not of the format.
-Soup parse_off(const SourceFile& file);
-Soup parse_obj(const SourceFile& file);
-Soup parse_ply(const SourceFile& file);
-Soup parse_stl(const SourceFile& file);
-Soup parse_xyz(const SourceFile& file);
-
-/// A PLY file and the numbers of one property of its faces, which must be there if it has faces.
-Soup parse_weighted_ply(const SourceFile& file, std::string_view weight_property);
-
-/// The size is that of a binary STL with the announced number of facets.
-bool has_size_of_binary_stl(const SourceFile& file);
 
 /// Rejects (truncated) a header's count of elements that the rest of the file cannot hold, and (unsupported) one that
 /// Index cannot count: to be called before anything is reserved.

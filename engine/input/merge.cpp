@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace geodrome::input {
 
@@ -33,6 +34,12 @@ MergedPoints merge_equal_points(std::span<const Vec3> points) {
     }
   }
   return merged;
+}
+
+void merge_vertices(Soup& soup) {
+  MergedPoints merged = merge_equal_points(soup.positions);
+  for (Index& corner : soup.corners) corner = merged.element_of_row[corner];
+  soup.positions = std::move(merged.positions);
 }
 
 }  // namespace geodrome::input

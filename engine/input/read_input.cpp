@@ -161,6 +161,7 @@ void make_mesh(const SourceFile& file, const ReadOptions& options, Soup& soup, I
 Input check(const SourceFile& file, const ReadOptions& options, Soup soup) {
   Input input{.file = file.path, .format = soup.format, .hash = content_hash(file.bytes)};
   if (soup.positions.empty()) reject(file, InputFault::empty, "the file holds no points");
+  if (soup.vertices_by_place) merge_vertices(soup);
   input.kind = options.as.value_or(soup.face_count() > 0 ? InputKind::mesh : InputKind::points);
   if (input.kind == InputKind::mesh && soup.face_count() == 0)
     reject(file, InputFault::empty, "a mesh is asked for, but the file has no faces", remedies::take_points());

@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include "engine/formats/table.hpp"
 #include "geodrome/errors.hpp"
 
 namespace geodrome {
@@ -44,19 +45,12 @@ std::vector<fs::path> files_read(const fs::path& input, const ReadOptions& optio
   return files;
 }
 
-void check_ending(const fs::path& file, std::initializer_list<const char*> endings) {
-  std::string valid;
-  for (const char* ending : endings) {
-    if (file.empty() || file.extension() == ending) return;
-    valid += (valid.empty() ? "" : ", ") + std::string(ending);
-  }
-  throw OptionError(file.string() + ": the name must end in " + valid);
+void check_ending(const fs::path& file, Content content) {
+  if (!file.empty()) format_to_write(file, content);
 }
 
 void check_mesh_ending(const fs::path& file, const ReadOptions& options) {
-  check_ending(file, {".ply", ".off", ".obj", ".stl"});
-  if (!options.weights.empty() && !file.empty() && file.extension() != ".ply")
-    throw OptionError(file.string() + ": only PLY holds the weights of the faces", "write .ply");
+  if (!file.empty()) mesh_format_to_write(file, !options.weights.empty());
 }
 
 void check_outputs(std::span<const fs::path> outputs, std::span<const fs::path> read) {

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <filesystem>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "geodrome/engine/formats.hpp"
 #include "geodrome/engine/input.hpp"
 #include "geodrome/engine/outputs.hpp"
 
@@ -16,10 +16,10 @@ namespace geodrome {
 std::vector<std::filesystem::path> files_read(const std::filesystem::path& input, const ReadOptions& options,
                                               std::span<const std::string> selections);
 
-/// Throws OptionError if a file's name, if there is one, has none of the endings.
-void check_ending(const std::filesystem::path& file, std::initializer_list<const char*> endings);
+/// Throws OptionError if a file's name, if there is one, tells no format in which such a content is written.
+void check_ending(const std::filesystem::path& file, Content content);
 
-/// Throws OptionError as `check_ending` for the name of a mesh, which must be .ply if it is read with weights.
+/// Throws OptionError as `check_ending` for the name of a mesh, whose format must hold weights if it is read with some.
 void check_mesh_ending(const std::filesystem::path& file, const ReadOptions& options);
 
 }  // namespace geodrome

@@ -2,12 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
+#include "engine/formats/table.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/output/atomic_file.hpp"
-#include "engine/report/json.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/search/source_surface.hpp"
 #include "engine/search/traced_path.hpp"
@@ -25,49 +24,6 @@ NamedPoint select_one(const std::string& text, const char* what, const Opened& o
   if (queries[0].place.state == Place::State::dropped)
     throw OptionError(std::string(what) + ": row " + queries[0].label + " was dropped");
   return queries[0];
-}
-
-std::string as_obj(const PathResult& path) {
-  std::string text, line = "l";
-  for (std::size_t i = 0; i < path.positions.size(); ++i) {
-    const Vec3& p = path.positions[i];
-    text += "v " + number_text(p.x) + " " + number_text(p.y) + " " + number_text(p.z) + "\n";
-    line += " " + std::to_string(i + 1);
-  }
-  return path.positions.empty() ? "# no path\n" : text + line + "\n";
-}
-
-std::string as_csv(const PathResult& path) {
-  std::string text = "x,y,z,face,b0,b1,b2\n";
-  for (std::size_t i = 0; i < path.positions.size(); ++i) {
-    const Vec3& p = path.positions[i];
-    const SurfacePoint& at = path.points[i];
-    text += number_text(p.x) + "," + number_text(p.y) + "," + number_text(p.z) + "," + std::to_string(at.face);
-    for (const double b : at.b) text += "," + number_text(b);
-    text += "\n";
-  }
-  return text;
-}
-
-std::string as_json(const PathResult& path) {
-  Json json{{"distance", to_json(path.distance)}, {"length", to_json(path.length)}, {"points", Json::array()}};
-  for (std::size_t i = 0; i < path.positions.size(); ++i) {
-    const Vec3& p = path.positions[i];
-    json["points"].push_back(
-        {{"position", {p.x, p.y, p.z}}, {"face", path.points[i].face}, {"barycentric", path.points[i].b}});
-  }
-  return json.dump(1) + "\n";
-}
-
-using Format = std::string (*)(const PathResult&);
-
-/// Known before anything is computed, so that a wrong ending costs no waiting.
-Format format_of(const std::filesystem::path& file) {
-  const std::string ending = file.extension().string();
-  if (ending == ".obj") return as_obj;
-  if (ending == ".csv") return as_csv;
-  if (ending == ".json") return as_json;
-  throw OptionError(file.string() + ": a path is written as .obj, .csv or .json");
 }
 
 PathResult find_path(const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
@@ -97,7 +53,7 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   if (job.query == ProjectionRule::printed)
     throw OptionError("the rule printed has no paths: its distances are minima over several points",
                       remedies::insertion_or_default_rule());
-  const Format format = job.out.empty() ? nullptr : format_of(job.out);
+  check_ending(job.out, Content::path);
   const std::string selections[] = {job.from, job.to};
   check_outputs({&job.out, 1}, files_read(job.input, job.settings.read, selections));
   const PluginHost host(job.settings.plugin_path);
@@ -111,7 +67,7 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   demand(solver, Provides::paths, "paths");
   StageContext context(ShortestPathSolver::stage, observer, 1, job.settings.seed);
   const PathResult result = find_path(solver, on, context);
-  if (format) write_atomically(job.out, format(result));
+  if (!job.out.empty()) write_atomically(job.out, format_to_write(job.out, Content::path).write_path(result));
   return result;
 }
 

@@ -12,7 +12,6 @@
 #include <set>
 #include <vector>
 
-#include "engine/formats/npy.hpp"
 #include "engine/formats/remedies.hpp"
 #include "geodrome/errors.hpp"
 
@@ -31,11 +30,9 @@ struct Trailer {
   std::uint64_t checksum;  ///< of all that stands before it
   std::uint64_t reserved;
 };
-static_assert(sizeof(Trailer) == 64);
+static_assert(sizeof(Trailer) == DenseLayout::trailer_bytes);
 
 std::uint64_t checksum_of(const Trailer& trailer) { return XXH3_64bits(&trailer, offsetof(Trailer, checksum)); }
-
-std::uint64_t fingerprint_offset(const MatrixFile::Spec& spec) { return checksum_offset(spec, spec.rows); }
 
 /// The spec of a trailer, its fingerprint only as long as it is to be; nothing if those bytes are no whole trailer.
 std::optional<MatrixFile::Spec> spec_of(const std::array<char, sizeof(Trailer)>& bytes, std::uint64_t file_size) {
@@ -85,18 +82,13 @@ std::string fingerprint_differences(const std::string& stored, const std::string
 
 }  // namespace
 
-std::uint64_t checksum_offset(const MatrixFile::Spec& spec, std::uint64_t row) {
-  return MatrixFile::bytes(spec) + row * sizeof(std::uint64_t);
+DenseLayout layout_of(const DenseFormat& format, const MatrixFile::Spec& spec) {
+  return {format, {spec.rows, spec.columns, spec.scalar}, spec.fingerprint.size()};
 }
 
-std::uint64_t partial_bytes(const MatrixFile::Spec& spec) {
-  const std::uint64_t end = fingerprint_offset(spec) + spec.fingerprint.size();
-  return (end + sizeof(Trailer) - 1) / sizeof(Trailer) * sizeof(Trailer) + sizeof(Trailer);
-}
-
-void write_footer(const PosixFile& file, const MatrixFile::Spec& spec) {
+void write_footer(const PosixFile& file, const MatrixFile::Spec& spec, const DenseLayout& layout) {
   const std::string& fingerprint = spec.fingerprint;
-  file.write_at(fingerprint_offset(spec), fingerprint.data(), fingerprint.size());
+  file.write_at(layout.fingerprint(), fingerprint.data(), fingerprint.size());
   Trailer trailer{magic,
                   footer_version,
                   static_cast<std::uint32_t>(bytes_of(spec.scalar)),
@@ -107,11 +99,11 @@ void write_footer(const PosixFile& file, const MatrixFile::Spec& spec) {
                   0,
                   0};
   trailer.checksum = checksum_of(trailer);
-  file.write_at(partial_bytes(spec) - sizeof(Trailer), &trailer, sizeof(Trailer));
+  file.write_at(layout.trailer(), &trailer, sizeof(Trailer));
   file.sync();
 }
 
-std::optional<MatrixFile::Spec> read_footer(const PosixFile& file) {
+std::optional<MatrixFile::Spec> read_footer(const PosixFile& file, const DenseFormat& format) {
   const std::uint64_t size = file.size();
   if (size == 0) return std::nullopt;
   if (size < 2 * sizeof(Trailer)) refuse_damaged(file);
@@ -123,23 +115,25 @@ std::optional<MatrixFile::Spec> read_footer(const PosixFile& file) {
   if (std::ranges::all_of(first, zero) && std::ranges::all_of(last, zero)) return std::nullopt;
 
   std::optional<MatrixFile::Spec> spec = spec_of(last, size);
-  if (!spec || partial_bytes(*spec) != size) refuse_damaged(file);
+  if (!spec) refuse_damaged(file);
+  const DenseLayout layout = layout_of(format, *spec);
+  if (layout.end() != size) refuse_damaged(file);
   std::string& fingerprint = spec->fingerprint;
-  file.read_at(fingerprint_offset(*spec), fingerprint.data(), fingerprint.size());
+  file.read_at(layout.fingerprint(), fingerprint.data(), fingerprint.size());
   if (XXH3_64bits(fingerprint.data(), fingerprint.size()) != std::bit_cast<Trailer>(last).fingerprint_checksum)
     refuse_damaged(file);
   return spec;
 }
 
-void save_footer(const PosixFile& file, const MatrixFile::Spec& spec, const std::filesystem::path& to) {
-  std::vector<char> footer(partial_bytes(spec) - MatrixFile::bytes(spec));
-  file.read_at(MatrixFile::bytes(spec), footer.data(), footer.size());
+void save_footer(const PosixFile& file, const DenseLayout& layout, const std::filesystem::path& to) {
+  std::vector<char> footer(layout.end() - layout.footer());
+  file.read_at(layout.footer(), footer.data(), footer.size());
   const PosixFile saved(to, true);
   saved.write_at(0, footer.data(), footer.size());
   saved.sync();
 }
 
-void restore_footer(const PosixFile& file, const std::filesystem::path& from) {
+void restore_footer(const PosixFile& file, const DenseFormat& format, const std::filesystem::path& from) {
   if (!std::filesystem::exists(from)) return;
   const PosixFile saved(from, false);
   std::vector<char> footer(saved.size());
@@ -149,7 +143,8 @@ void restore_footer(const PosixFile& file, const std::filesystem::path& from) {
   std::copy(footer.end() - last.size(), footer.end(), last.begin());
   const std::optional<MatrixFile::Spec> spec = spec_of(last, footer.size());
   if (!spec) return;
-  const std::uint64_t begin = MatrixFile::bytes(*spec), end = partial_bytes(*spec);
+  const DenseLayout layout = layout_of(format, *spec);
+  const std::uint64_t begin = layout.footer(), end = layout.end();
   if (footer.size() != end - begin || file.size() < begin || file.size() > end) return;
   file.write_at(begin, footer.data(), footer.size());
   file.sync();

@@ -5,10 +5,11 @@
 #include <optional>
 #include <string>
 
+#include "engine/output/dense_layout.hpp"
 #include "engine/output/posix_file.hpp"
 #include "geodrome/engine/matrix_file.hpp"
 
-/// The footer of a matrix file that is not finished, behind the .npy data:
+/// The footer of a matrix file that is not finished, behind the rows of the dense file:
 ///
 ///     8 bytes a row   checksum of the row; 0: the row is not there
 ///     fingerprint     text
@@ -19,26 +20,23 @@
 /// within one page: it is there as a whole or not at all, whenever the process dies.
 namespace geodrome {
 
-/// Where the checksum of a row stands.
-std::uint64_t checksum_offset(const MatrixFile::Spec& spec, std::uint64_t row);
+/// Where everything stands in the partial file of `spec`. Throws RefusedError as DenseLayout.
+DenseLayout layout_of(const DenseFormat& format, const MatrixFile::Spec& spec);
 
-/// Size of the partial file, footer included. Throws RefusedError as `MatrixFile::bytes`.
-std::uint64_t partial_bytes(const MatrixFile::Spec& spec);
-
-/// Writes fingerprint and trailer into a file of `partial_bytes` zeros and waits until they are on the disk.
-void write_footer(const PosixFile& file, const MatrixFile::Spec& spec);
+/// Writes fingerprint and trailer into a file of `layout.end()` zeros and waits until they are on the disk.
+void write_footer(const PosixFile& file, const MatrixFile::Spec& spec, const DenseLayout& layout);
 
 /// The spec (without `out`) that a partial was started with. Nothing if its writer died before it had written the
 /// trailer, and therefore any row. Throws RefusedError, naming the file, if it is damaged or no partial.
-std::optional<MatrixFile::Spec> read_footer(const PosixFile& file);
+std::optional<MatrixFile::Spec> read_footer(const PosixFile& file, const DenseFormat& format);
 
-/// Copies the footer of the partial of `spec` into a file of its own. To be done before it is cut off.
-void save_footer(const PosixFile& file, const MatrixFile::Spec& spec, const std::filesystem::path& to);
+/// Copies the footer of a partial into a file of its own. To be done before it is cut off.
+void save_footer(const PosixFile& file, const DenseLayout& layout, const std::filesystem::path& to);
 
 /// Puts a saved footer back at its place behind the matrix, if `from` is one, whole, and `file` is the matrix that it
 /// was saved from as far as its size tells: without the footer, or with some of it. Otherwise does nothing. Whether the
 /// rows are those of the footer is for their checksums to tell.
-void restore_footer(const PosixFile& file, const std::filesystem::path& from);
+void restore_footer(const PosixFile& file, const DenseFormat& format, const std::filesystem::path& from);
 
 /// In which respects two specs differ, each with both values shortened to 60 characters: "/seed was 1 and is 2". Empty
 /// if they do not. The fingerprints are compared member by member if both are JSON, else as text.

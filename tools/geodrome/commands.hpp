@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geodrome/engine/formats.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 /// The subcommands of `geodrome`, each in a file of its own: options in, a call of the engine, output.

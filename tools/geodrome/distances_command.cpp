@@ -15,14 +15,15 @@ int write_distances(const DistanceArguments& arguments) {
 }
 
 void add_distance_outputs(CLI::App& command, DistanceJob& job) {
-  command.add_option("-o,--output", job.matrix, "The matrix, rows = sources: .npy, or .csv up to 1e6 entries")
+  command.add_option("-o,--output", job.matrix, "The matrix, rows = sources: " + help_for_writing(Content::matrix))
       ->type_name("FILE");
   add_choice<ScalarType>(command, "--dtype", job.scalar,
                          {{"float64", ScalarType::float64}, {"float32", ScalarType::float32}}, "Numbers of an .npy");
-  command.add_option("--nearest", job.nearest, "One search from all sources: CSV of target, distance, source, reach")
+  command.add_option("--nearest", job.nearest, "One search from all sources: " + help_for_writing(Content::nearest))
       ->type_name("FILE");
   command.add_option("--report", job.report, "Everything about the run, as JSON")->type_name("FILE");
-  command.add_option("--surface", job.surface, "The surface that was used: .ply, .off, .obj, .stl")->type_name("FILE");
+  command.add_option("--surface", job.surface, "The surface that was used: " + help_for_writing(Content::mesh))
+      ->type_name("FILE");
   command.add_flag("--resume", job.resume, "Go on with OUTPUT.partial of an interrupted run");
   command.add_flag("--yes", job.yes, "Consent to a matrix of more than 4 GB");
 }

@@ -29,7 +29,7 @@ std::string out_of_range(const std::string& text, Number low, Number high, const
 }  // namespace
 
 void add_input(CLI::App& command, std::filesystem::path& file) {
-  command.add_option("INPUT", file, "OFF, OBJ, PLY, STL (meshes or points) or XYZ (points)")->required();
+  command.add_option("INPUT", file, help_for_input())->required();
 }
 
 void add_read_options(CLI::App& command, ReadOptions& read) {

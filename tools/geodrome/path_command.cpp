@@ -32,7 +32,9 @@ void add_path(CLI::App& app, Action& action) {
   const char* entry = "An index, or '@FILE' with one line as for 'distances --sources'";
   command.add_option("--from", job.from, entry)->required()->type_name("I");
   command.add_option("--to", job.to, entry)->required()->type_name("J");
-  command.add_option("-o,--output", job.out, "The polyline: .obj, .csv or .json")->required()->type_name("FILE");
+  command.add_option("-o,--output", job.out, "The polyline: " + help_for_writing(Content::path))
+      ->required()
+      ->type_name("FILE");
   add_choice<ProjectionRule>(command, "--query", job.query,
                              {{"project", ProjectionRule::project}, {"insert", ProjectionRule::insert}},
                              "project: between closest surface points; insert: FROM becomes a vertex of the surface");

@@ -27,9 +27,7 @@ void add_queries(CLI::App& app, Action& action) {
   command.footer(about_pairs);
   add_input(command, job.input);
   command.add_option("--pairs", job.pairs, "The pairs, one a line: see below")->required()->type_name("FILE");
-  command
-      .add_option("-o,--output", job.out,
-                  "One distance a pair: .npy (float64) or .csv (pair, from, to, distance, reach)")
+  command.add_option("-o,--output", job.out, "One distance a pair: " + help_for_writing(Content::pairs))
       ->required()
       ->type_name("FILE");
   command.add_option("--index", job.index, "The oracle: read if FILE is there, else built and saved to it")

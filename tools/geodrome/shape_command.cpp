@@ -49,7 +49,9 @@ void add_shape(CLI::App& app, Action& action) {
       .add_option("KIND", arguments.kind,
                   "Points: " + joined(shapes::sample_kinds()) + ". With --mesh: " + joined(shapes::mesh_kinds()))
       ->required();
-  command.add_option("-o,--output", arguments.out, "Points: .xyz, .ply, .off; mesh: .ply, .off, .obj, .stl")
+  command
+      .add_option("-o,--output", arguments.out,
+                  "Points: " + help_for_writing(Content::points) + "; mesh: " + help_for_writing(Content::mesh))
       ->required()
       ->type_name("FILE");
   command.add_option("--points", arguments.spec.points, "How many points")

@@ -24,7 +24,9 @@ void add_surface(CLI::App& app, Action& action) {
       app, action, "surface", "The surface of a point sample as a mesh (of a mesh: the mesh as used)", write_surface);
   SurfaceJob& job = arguments.job;
   add_input(command, job.input);
-  command.add_option("-o,--output", job.out, "The mesh: .ply, .off, .obj, .stl")->required()->type_name("FILE");
+  command.add_option("-o,--output", job.out, "The mesh: " + help_for_writing(Content::mesh))
+      ->required()
+      ->type_name("FILE");
   add_job_options(command, job.settings, arguments.quiet);
 }
 

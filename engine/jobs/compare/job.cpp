@@ -19,8 +19,8 @@ namespace {
 
 /// Mistakes that would otherwise show after all is computed.
 void check_arguments(const CompareJob& job) {
-  check_ending(job.figures, {".json"});
-  check_ending(job.page, {".html"});
+  check_ending(job.figures, Content::figures);
+  check_ending(job.page, Content::page);
   const std::string selections[] = {job.sources};
   std::vector<std::filesystem::path> read = files_read(job.input, job.settings.read, selections);
   if (auto file = truth_file(job.truth); !file.empty()) read.push_back(std::move(file));

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "engine/formats/ending.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -34,7 +36,7 @@ std::uint64_t row_of_input(const NamedPoint& source, const std::string& file) {
 std::filesystem::path truth_file(const std::string& truth) {
   if (truth == "first" || truth == "exact") return {};
   if (truth.starts_with(exact_prefix) && truth.size() > exact_prefix.size()) return {};
-  if (truth.ends_with(".npy")) return truth;
+  if (has_ending(truth, ".npy")) return truth;
   throw OptionError("the truth '" + truth + "' is none", "say first, exact, exact:SOLVER or FILE.npy");
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 
-#include "engine/formats/npy_reader.hpp"
+#include "engine/formats/npy_matrix.hpp"
 #include "engine/jobs/compare/measure.hpp"
 
 namespace geodrome {

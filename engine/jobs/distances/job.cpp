@@ -62,9 +62,9 @@ void check_arguments(const DistanceJob& job) {
   if (!(job.max_distance >= 0)) throw OptionError("the largest distance must be a number >= 0");
   if (!(job.audit_share >= 0 && job.audit_share <= 1)) throw OptionError("the audit's share must be from 0 to 1");
   if (job.resume && job.matrix.empty()) throw OptionError("there is no matrix to resume", remedies::matrix_output());
-  check_ending(job.matrix, {".npy", ".csv"});
-  check_ending(job.nearest, {".csv"});
-  check_ending(job.report, {".json"});
+  check_ending(job.matrix, Content::matrix);
+  check_ending(job.nearest, Content::nearest);
+  check_ending(job.report, Content::report);
   check_mesh_ending(job.surface, job.settings.read);
   const std::filesystem::path outputs[] = {job.matrix, job.nearest, job.report, job.surface};
   const std::string selections[] = {job.sources, job.targets};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
+#include "engine/formats/ending.hpp"
 #include "engine/formats/npy.hpp"
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
@@ -17,8 +18,8 @@ namespace {
 void check_arguments(const PairJob& job) {
   if (job.pairs.empty()) throw OptionError("no pairs are named", "name a file with a pair a line");
   if (job.out.empty()) throw OptionError("nothing to write", remedies::pairs_output());
-  check_ending(job.out, {".npy", ".csv"});
-  check_ending(job.report, {".json"});
+  check_ending(job.out, Content::pairs);
+  check_ending(job.report, Content::report);
   const bool index_is_read = !job.index.empty() && std::filesystem::exists(job.index);
   std::vector<std::filesystem::path> read{job.input, job.pairs}, written{job.out, job.report};
   if (!job.index.empty()) (index_is_read ? read : written).push_back(job.index);
@@ -64,7 +65,7 @@ JobReport run_pairs(const PairJob& job, Observer& observer) {
   const unsigned threads = thread_count(job.settings);
   StageContext context("queries", observer, threads, job.settings.seed);
   const PairDistances distances = pair_distances(opened.surface, solver, *oracle.oracle, list.pairs, threads, context);
-  const bool csv = job.out.extension() == ".csv";
+  const bool csv = has_ending(job.out, ".csv");
   write_atomically(job.out, csv ? as_csv(list.pairs, distances.values) : as_npy(distances.values));
   const JobReport report = write_report({job, opened, solver, list, oracle, distances, total.seconds()});
   if (!job.report.empty()) write_atomically(job.report, report.json + "\n");

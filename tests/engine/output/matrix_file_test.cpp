@@ -136,6 +136,17 @@ TEST_F(MatrixFileTest, RefusesWhatNoFileCanHold) {
   EXPECT_THROW(MatrixFile::open(spec("d.npy", many, many), false), RefusedError);
 }
 
+TEST_F(MatrixFileTest, ReadsTheEndingWithoutRegardToCase) {
+  const auto npy = spec("D.NPY", 2, 3), csv = spec("D.Csv", 2, 3);
+  for (const auto& s : {npy, csv}) {
+    MatrixFile matrix = MatrixFile::open(s, false);
+    write_missing(matrix, s);
+    matrix.finish();
+  }
+  EXPECT_EQ(bytes_in(npy.out), expected_npy(npy));
+  EXPECT_EQ(bytes_in(csv.out)[bytes_in(csv.out).size() - 1], '\n');
+}
+
 TEST_F(MatrixFileTest, RefusesAnUnknownEnding) { EXPECT_THROW(MatrixFile::open(spec("d.h5"), false), OptionError); }
 
 TEST_F(MatrixFileTest, RefusesALargeCsv) {

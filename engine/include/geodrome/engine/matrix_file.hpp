@@ -17,20 +17,21 @@ enum class ScalarType { float64, float32 };
 /// The sink that stores a distance matrix on disk: written row by row, in any order, from any thread, it survives the
 /// end of the process at any moment.
 ///
-/// While it grows it is one file, OUT.partial: the .npy file as it will be, then a footer with the fingerprint of the
-/// run and a 64-bit checksum per row, which tells the rows that are whole. `finish` cuts the footer off and renames the
-/// file (for .csv: writes the text, then removes the .partial); while it does, the footer (the text) is in
-/// OUT.partial-footer (OUT.partial-text). Nothing else is left on disk.
+/// While it grows it is one file, OUT.partial: a dense file (header, then rows; of .npy for text formats), then a
+/// footer with the fingerprint of the run and a 64-bit checksum per row, which tells the rows that are whole. `finish`
+/// cuts the footer off and renames the file (for text: writes the text, then removes the .partial); while it does, the
+/// footer (the text) is in OUT.partial-footer (OUT.partial-text). Nothing else is left on disk.
 class MatrixFile final : public RowSink {
  public:
   struct Spec {
-    std::filesystem::path out;  ///< ends in .npy or .csv
+    std::filesystem::path out;  ///< its ending tells the format: .npy or .csv
     std::uint64_t rows = 0, columns = 0;
     ScalarType scalar = ScalarType::float64;
     std::string fingerprint;  ///< text that two runs share exactly if their matrices are the same bytes
   };
 
-  /// Size of the .npy file, in bytes. Throws RefusedError if that is more than a file can hold.
+  /// Size of the dense file, in bytes. Throws OptionError for an unknown ending, RefusedError if that is more than a
+  /// file can hold.
   static std::uint64_t bytes(const Spec& spec);
 
   /// Starts OUT.partial, or with `resume` goes on with the one that is there. Throws OptionError for an unknown ending

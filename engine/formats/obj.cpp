@@ -4,11 +4,15 @@
 #include <string_view>
 
 #include "engine/formats/line_reader.hpp"
-#include "engine/formats/soup.hpp"
+#include "engine/formats/table.hpp"
+#include "engine/formats/text_output.hpp"
+#include "geodrome/engine/jobs.hpp"
 
 // Wavefront OBJ: the records v and f. All other records are passed over; those that hold geometry are told.
-namespace geodrome::input {
+namespace geodrome {
 namespace {
+
+using namespace input;
 
 constexpr long long first_index = 1;  // OBJ counts from 1
 
@@ -50,10 +54,8 @@ bool holds_geometry(std::string_view record) {
   return std::find(std::begin(names), std::end(names), record) != std::end(names);
 }
 
-}  // namespace
-
-Soup parse_obj(const SourceFile& file) {
-  Soup soup{.format = "obj"};
+Soup read_obj(const SourceFile& file) {
+  Soup soup;
   Finding ignored{Finding::Severity::warning, "ignored_records", "", 0, {}};
   LineReader lines(file, {.comment = '#', .continued = true});
   while (lines.next()) {
@@ -77,4 +79,34 @@ Soup parse_obj(const SourceFile& file) {
   return soup;
 }
 
-}  // namespace geodrome::input
+std::string obj_text(const MeshToWrite& mesh) {
+  std::string text;
+  for (const Vec3& p : mesh.positions) append_point(text, "v ", p);
+  for (const Triangle& t : mesh.triangles) append_face(text, "f", t, first_index);
+  return text;
+}
+
+std::string obj_path(const PathResult& path) {
+  if (path.positions.empty()) return "# no path\n";
+  std::string text, line = "l";
+  for (std::size_t i = 0; i < path.positions.size(); ++i) {
+    append_point(text, "v ", path.positions[i]);
+    line += " " + std::to_string(i + first_index);
+  }
+  return text + line + "\n";
+}
+
+}  // namespace
+
+Format obj_format() {
+  return {.name = "OBJ",
+          .endings = {".obj"},
+          .uses = {{Content::mesh, "", ""},
+                   {.content = Content::points, .read = "without faces"},
+                   {.content = Content::path, .written = "a polyline"}},
+          .read = read_obj,
+          .write = obj_text,
+          .write_path = obj_path};
+}
+
+}  // namespace geodrome

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "engine/formats/npy_reader.hpp"
+#include "engine/formats/npy_matrix.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,16 +2,20 @@
 #include <algorithm>
 #include <bit>
 #include <cctype>
+#include <cmath>
+#include <limits>
+#include <numeric>
 #include <string_view>
 
 #include "engine/formats/bytes.hpp"
 #include "engine/formats/line_reader.hpp"
-#include "engine/input/merge.hpp"
-#include "engine/formats/soup.hpp"
+#include "engine/formats/table.hpp"
 
-// STL names no vertices: corners at exactly the same place become one vertex, numbered by its first appearance.
-namespace geodrome::input {
+// STL names no vertices: corners at exactly the same place are one vertex, numbered by its first appearance.
+namespace geodrome {
 namespace {
+
+using namespace input;
 
 constexpr std::size_t header_bytes = 80, body_offset = 84, facet_bytes = 50, normal_bytes = 12;
 
@@ -24,7 +28,12 @@ std::uint32_t announced_facets(const SourceFile& file) {
   return load<std::uint32_t>(file.bytes.data() + header_bytes, std::endian::little);
 }
 
-// Sorting needs numbers that compare: what is not finite is refused here already.
+/// The size is that of a binary STL with the announced number of facets.
+bool has_size_of_binary_stl(const SourceFile& file) {
+  return file.bytes.size() >= body_offset && file.bytes.size() == body_offset + facet_bytes * announced_facets(file);
+}
+
+// Merging needs numbers that compare: what is not finite is refused here already.
 void add_corner(const SourceFile& file, const Vec3& corner, std::vector<Vec3>& corners) {
   if (!is_finite(corner))
     reject(file, InputFault::nonfinite,
@@ -40,13 +49,13 @@ bool is_text_stl(const SourceFile& file) {
          same_word(lines.word(), "solid");
 }
 
-Soup weld_corners(const SourceFile& file, const std::vector<Vec3>& corners) {
+Soup soup_of(const SourceFile& file, std::vector<Vec3> corners) {
   if (corners.size() >= no_index) reject(file, InputFault::unsupported, "more corners than 32 bits count");
-  Soup soup{.format = "stl"};
-  MergedPoints merged = merge_equal_points(corners);
-  soup.positions = std::move(merged.positions);
-  soup.corners = std::move(merged.element_of_row);
-  for (std::size_t end = 3; end <= soup.corners.size(); end += 3) soup.face_end.push_back(end);
+  Soup soup{.vertices_by_place = true};
+  soup.corners.resize(corners.size());
+  std::iota(soup.corners.begin(), soup.corners.end(), Index{0});
+  for (std::size_t end = 3; end <= corners.size(); end += 3) soup.face_end.push_back(end);
+  soup.positions = std::move(corners);
   return soup;
 }
 
@@ -67,7 +76,7 @@ Soup parse_binary(const SourceFile& file) {
       const auto coordinate = [&](int axis) -> double { return load<float>(from + 4 * axis, std::endian::little); };
       add_corner(file, {coordinate(0), coordinate(1), coordinate(2)}, corners);
     }
-  Soup soup = weld_corners(file, corners);
+  Soup soup = soup_of(file, std::move(corners));
   if (end < file.bytes.size()) note_trailing_data(soup);
   return soup;
 }
@@ -124,14 +133,51 @@ class TextParser {
   std::vector<Vec3> corners_;
 };
 
+Soup read_stl(const SourceFile& file) {
+  return is_text_stl(file) ? soup_of(file, TextParser(file).corners()) : parse_binary(file);
+}
+
+Evidence stl_evidence(const SourceFile& file) {
+  if (has_size_of_binary_stl(file)) return Evidence::size;
+  return first_word(file) == "solid" ? Evidence::keyword : Evidence::none;
+}
+
+Vec3 unit_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
+  const Vec3 n = cross(q - p, r - p);
+  const double length = norm(n);
+  return length > 0 && std::isfinite(length) ? n / length : Vec3{};
+}
+
+std::string stl_bytes(const MeshToWrite& mesh) {
+  constexpr double largest_float = std::numeric_limits<float>::max();
+  std::string bytes = "binary STL";  // must not start with "solid"
+  bytes.resize(header_bytes, ' ');
+  append_little_endian(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  const auto append = [&](const Vec3& p) {
+    for (const double coordinate : {p.x, p.y, p.z}) {
+      if (std::abs(coordinate) > largest_float)
+        throw InputError(InputFault::range, mesh.file.string() + ": a coordinate does not fit into the floats of STL",
+                         "write PLY");
+      append_little_endian(bytes, static_cast<float>(coordinate));
+    }
+  };
+  for (const Triangle& t : mesh.triangles) {
+    append(unit_normal(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
+    for (const Index v : t) append(mesh.positions[v]);
+    append_little_endian(bytes, std::uint16_t{0});
+  }
+  return bytes;
+}
+
 }  // namespace
 
-bool has_size_of_binary_stl(const SourceFile& file) {
-  return file.bytes.size() >= body_offset && file.bytes.size() == body_offset + facet_bytes * announced_facets(file);
+Format stl_format() {
+  return {.name = "STL",
+          .endings = {".stl"},
+          .uses = {{Content::mesh, "text, binary", "binary, float"}},
+          .evidence = stl_evidence,
+          .read = read_stl,
+          .write = stl_bytes};
 }
 
-Soup parse_stl(const SourceFile& file) {
-  return is_text_stl(file) ? weld_corners(file, TextParser(file).corners()) : parse_binary(file);
-}
-
-}  // namespace geodrome::input
+}  // namespace geodrome

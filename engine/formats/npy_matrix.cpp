@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "engine/formats/npy_reader.hpp"
+#include "engine/formats/npy_matrix.hpp"
 
 #include <bit>
 #include <charconv>
 #include <optional>
 #include <regex>
 
+#include "engine/formats/matrix_format.hpp"
 #include "engine/formats/source_file.hpp"
-#include "engine/formats/npy.hpp"
 
 namespace geodrome {
 

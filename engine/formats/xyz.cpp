@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "engine/formats/line_reader.hpp"
-#include "engine/formats/soup.hpp"
+#include "engine/formats/table.hpp"
+#include "engine/formats/text_output.hpp"
 
 // One point a line: three numbers; more (normals, colours) if every line has as many. '#' starts a comment.
-namespace geodrome::input {
+namespace geodrome {
+namespace {
 
-Soup parse_xyz(const SourceFile& file) {
-  Soup soup{.format = "xyz"};
+using namespace input;
+
+Soup read_xyz(const SourceFile& file) {
+  Soup soup;
   LineReader lines(file, {.comment = '#'});
   std::size_t columns = 0;
   while (lines.next()) {
@@ -25,4 +29,20 @@ Soup parse_xyz(const SourceFile& file) {
   return soup;
 }
 
-}  // namespace geodrome::input
+std::string xyz_text(const MeshToWrite& points) {
+  std::string text;
+  for (const Vec3& p : points.positions) append_point(text, "", p);
+  return text;
+}
+
+}  // namespace
+
+Format xyz_format() {
+  return {.name = "XYZ",
+          .endings = {".xyz", ".pts", ".asc", ".txt"},
+          .uses = {{Content::points, "", ""}},
+          .read = read_xyz,
+          .write = xyz_text};
+}
+
+}  // namespace geodrome

@@ -2,11 +2,14 @@
 #include <string_view>
 
 #include "engine/formats/line_reader.hpp"
-#include "engine/formats/soup.hpp"
+#include "engine/formats/table.hpp"
+#include "engine/formats/text_output.hpp"
 
 // Object File Format as Geomview, CGAL and MeshLab write it: a keyword, three counts, then one vertex or face a line.
-namespace geodrome::input {
+namespace geodrome {
 namespace {
+
+using namespace input;
 
 struct Counts {
   long long vertices = 0, faces = 0;
@@ -80,20 +83,45 @@ void read_faces(const SourceFile& file, LineReader& lines, long long count, Soup
   }
 }
 
-}  // namespace
-
-Soup parse_off(const SourceFile& file) {
+Soup read_off(const SourceFile& file) {
   LineReader lines(file, {.comment = '#'});
   const Counts counts = read_header(file, lines);
   constexpr std::size_t vertex_bytes = 6, face_bytes = 2;  // "0 0 0\n" and "0\n"
   const std::size_t left = file.bytes.size() - lines.offset();
   check_announced(file, "vertices", counts.vertices, vertex_bytes, left);
   check_announced(file, "faces", counts.faces, face_bytes, left);
-  Soup soup{.format = "off"};
+  Soup soup;
   read_vertices(file, lines, counts.vertices, soup);
   read_faces(file, lines, counts.faces, soup);
   if (lines.next()) note_trailing_data(soup);
   return soup;
 }
 
-}  // namespace geodrome::input
+/// An OFF keyword with whatever may stand before and after it: COFF, STNOFF, 4OFF, OFF6 (a count without a blank).
+Evidence off_evidence(const SourceFile& file) {
+  const std::string_view word = first_word(file);
+  const std::size_t off = word.find("OFF");
+  const bool is_keyword = off != word.npos && word.substr(0, off).find_first_not_of("STCN4n") == word.npos;
+  return is_keyword ? Evidence::keyword : Evidence::none;
+}
+
+std::string off_text(const MeshToWrite& mesh) {
+  std::string text =
+      "OFF\n" + std::to_string(mesh.positions.size()) + ' ' + std::to_string(mesh.triangles.size()) + " 0\n";
+  for (const Vec3& p : mesh.positions) append_point(text, "", p);
+  for (const Triangle& t : mesh.triangles) append_face(text, "3", t, 0);
+  return text;
+}
+
+}  // namespace
+
+Format off_format() {
+  return {.name = "OFF",
+          .endings = {".off"},
+          .uses = {{Content::mesh, "", ""}, {Content::points, "without faces", ""}},
+          .evidence = off_evidence,
+          .read = read_off,
+          .write = off_text};
+}
+
+}  // namespace geodrome
