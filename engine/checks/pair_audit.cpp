@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/search/distance_row.hpp"
+#include "engine/search/prepared_solver.hpp"
 
 namespace geodrome {
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/checks/invariants.hpp"
+#include "engine/search/prepared_solver.hpp"
 #include "geodrome/engine/named_points.hpp"
 
 namespace geodrome {

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/formats/text.hpp"
 #include "engine/host/installed.hpp"
 #include "engine/host/plugin_choice.hpp"
 #include "engine/host/registry.hpp"
@@ -74,7 +75,7 @@ void keep_first_of_each(PluginListing& listing) {
 std::string names_of(const PluginListing& listing, std::string_view stage) {
   std::string names;
   for (const PluginInfo& plugin : listing.usable)
-    if (plugin.stage == stage) names += (names.empty() ? "" : ", ") + plugin.name;
+    if (plugin.stage == stage) append_word(names, plugin.name);
   return names.empty() ? "none" : names;
 }
 
@@ -160,7 +161,7 @@ std::vector<PluginInfo> PluginHost::named(const std::string& name) const {
   std::vector<PluginInfo> found;
   std::string names;
   for (PluginInfo& plugin : list().usable) {
-    names += (names.empty() ? "" : ", ") + plugin.full_name();
+    append_word(names, plugin.full_name());
     if (plugin.name == name || plugin.full_name() == name) found.push_back(std::move(plugin));
   }
   if (!found.empty()) return found;

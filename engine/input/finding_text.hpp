@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "engine/formats/text.hpp"
 #include "geodrome/engine/observer.hpp"
 #include "geodrome/engine/remedies.hpp"
 
@@ -11,7 +12,7 @@ namespace geodrome {
 /// A finding for people: its message, then the elements that it names in brackets, "..." if there are more of them.
 inline std::string message_of(const Finding& finding) {
   std::string elements;
-  for (const Index element : finding.elements) elements += (elements.empty() ? "" : ", ") + std::to_string(element);
+  for (const Index element : finding.elements) append_word(elements, std::to_string(element));
   if (elements.empty()) return finding.message;
   return finding.message + " [" + elements + (finding.elements.size() < finding.count ? ", ...]" : "]");
 }

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/formats/text.hpp"
 #include "geodrome/finding.hpp"
 
 namespace geodrome::input {
@@ -13,11 +14,6 @@ namespace geodrome::input {
 inline void add_element(Finding& finding, Index element) {
   constexpr std::size_t kept = 10;
   if (finding.count++ < kept) finding.elements.push_back(element);
-}
-
-/// "1 face", "2 faces".
-inline std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 /// Files a finding that has counted something, with the rest of what is told.

@@ -83,7 +83,7 @@ std::size_t choose_apex(const Flat& flat) {
 
 }  // namespace
 
-Polygons clean_faces(const SourceFile& file, const Soup& soup, std::span<const Index> element_of_row) {
+Polygons clean_faces(const Origin& origin, const Soup& soup, std::span<const Index> element_of_row) {
   Polygons polygons;
   for (Index f = 0; f < soup.face_count(); ++f) {
     std::vector<Index> corners;
@@ -95,8 +95,8 @@ Polygons clean_faces(const SourceFile& file, const Soup& soup, std::span<const I
       continue;
     }
     if (!all_different(corners))
-      reject(file, InputFault::unsupported, "face " + std::to_string(f) + " comes back to one of its corners",
-             "split the face into simple ones");
+      origin.reject(InputFault::unsupported, origin.face(f) + " comes back to one of its corners",
+                    "split the face into simple ones");
     if (corners.size() < given) add_element(polygons.repeated, f);
     polygons.corners.insert(polygons.corners.end(), corners.begin(), corners.end());
     polygons.end.push_back(polygons.corners.size());
@@ -105,7 +105,7 @@ Polygons clean_faces(const SourceFile& file, const Soup& soup, std::span<const I
   return polygons;
 }
 
-Triangulated triangulate(const SourceFile& file, const Polygons& polygons, std::span<const Vec3> positions) {
+Triangulated triangulate(const Origin& origin, const Polygons& polygons, std::span<const Vec3> positions) {
   Triangulated result;
   result.triangles.reserve(polygons.size());
   for (std::size_t p = 0; p < polygons.size(); ++p) {
@@ -117,9 +117,8 @@ Triangulated triangulate(const SourceFile& file, const Polygons& polygons, std::
       const Flat flat = flatten(polygon, positions);
       apex = choose_apex(flat);
       if (apex == n)
-        reject(file, InputFault::unsupported,
-               "face " + std::to_string(face) + " is a polygon that no corner sees all of",
-               "split the faces into triangles");
+        origin.reject(InputFault::unsupported, origin.face(face) + " is a polygon that no corner sees all of",
+                      "split the faces into triangles");
       if (!is_planar(flat)) add_element(result.nonplanar, face);
       ++result.polygons_split;
     }
@@ -129,7 +128,7 @@ Triangulated triangulate(const SourceFile& file, const Polygons& polygons, std::
     }
   }
   if (result.triangles.size() >= no_index / 3)
-    reject(file, InputFault::unsupported, "more triangles than 32 bits count");
+    origin.reject(InputFault::unsupported, "more triangles than 32 bits count");
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/formats/soup.hpp"
+#include "engine/input/origin.hpp"
 #include "geodrome/surface.hpp"
 
 namespace geodrome::input {
@@ -25,7 +26,7 @@ struct Polygons {
 
 /// Drops faces without area for want of three different corners, and joins corners of a polygon that follow each other
 /// and are the same vertex. Rejects (unsupported) a polygon that comes back to a vertex. `element_of_row` as in Input.
-Polygons clean_faces(const SourceFile& file, const Soup& soup, std::span<const Index> element_of_row);
+Polygons clean_faces(const Origin& origin, const Soup& soup, std::span<const Index> element_of_row);
 
 struct Triangulated {
   std::vector<Triangle> triangles;
@@ -36,6 +37,6 @@ struct Triangulated {
 
 /// Splits polygons into triangles: a fan from the first corner that sees the whole polygon. Rejects (unsupported) a
 /// polygon that no corner sees. O(sum of squared corners) at worst.
-Triangulated triangulate(const SourceFile& file, const Polygons& polygons, std::span<const Vec3> positions);
+Triangulated triangulate(const Origin& origin, const Polygons& polygons, std::span<const Vec3> positions);
 
 }  // namespace geodrome::input

@@ -1,188 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
 #include <new>
-#include <numeric>
 #include <stdexcept>
 
-#include "engine/formats/remedies.hpp"
-#include "engine/formats/soup.hpp"
-#include "engine/input/findings.hpp"
+#include "engine/input/check_soup.hpp"
 #include "engine/input/merge.hpp"
-#include "engine/input/mesh_check.hpp"
-#include "engine/input/polygons.hpp"
 #include "engine/input/weights.hpp"
-#include "geodrome/engine/input.hpp"
 
 namespace geodrome {
-namespace {
-
-using namespace input;
-using Severity = Finding::Severity;
-
-// Solvers take fourth powers of lengths at most when nothing is scaled, and squares of squares must stay in double's
-// range by far; nobody measures in such units either.
-constexpr double largest = 1e100, smallest = 1e-100;
-
-double checked_diagonal(const SourceFile& file, const std::vector<Vec3>& positions) {
-  const std::string rescale = "rescale the input to ordinary numbers";
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high = -low;
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    const Vec3& p = positions[i];
-    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > largest)
-      reject(file, InputFault::range, "vertex " + std::to_string(i) + " has a coordinate beyond 1e100", rescale);
-    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-  }
-  if (positions.empty()) return 0;
-  const Vec3 size = high - low;
-  const double diagonal = std::hypot(size.x, size.y, size.z);
-  if (diagonal > largest) reject(file, InputFault::range, "the diagonal of the bounding box is beyond 1e100", rescale);
-  if (diagonal > 0 && diagonal < smallest)
-    reject(file, InputFault::range, "the diagonal of the bounding box is below 1e-100", rescale);
-  return diagonal;
-}
-
-std::vector<Index> identity(std::size_t count) {
-  std::vector<Index> indices(count);
-  std::iota(indices.begin(), indices.end(), Index{0});
-  return indices;
-}
-
-void use_merged(MergedPoints merged, Input& input) {
-  input.facts.merged += input.positions.size() - merged.positions.size();
-  for (Index& element : input.element_of_row)
-    if (element != no_index) element = merged.element_of_row[element];
-  input.positions = std::move(merged.positions);
-}
-
-// The rows whose point shares its place with an earlier one.
-Finding merged_rows(const MergedPoints& merged, const Input& input) {
-  Finding found;
-  Index places = 0;
-  for (Index row = 0; row < input.element_of_row.size(); ++row) {
-    const Index element = input.element_of_row[row];
-    if (element == no_index) continue;
-    if (merged.element_of_row[element] == places)
-      ++places;
-    else
-      add_element(found, row);
-  }
-  return found;
-}
-
-void drop_nonfinite(const SourceFile& file, const ReadOptions& options, Input& input) {
-  Finding dropped;
-  std::vector<Vec3> kept;
-  for (Index row = 0; row < input.positions.size(); ++row) {
-    const bool finite = is_finite(input.positions[row]);
-    if (!finite && !options.drop_nonfinite)
-      reject(file, InputFault::nonfinite, "point " + std::to_string(row) + " (from 0) is not finite",
-             remedies::drop_nonfinite());
-    input.element_of_row[row] = finite ? static_cast<Index>(kept.size()) : no_index;
-    if (finite)
-      kept.push_back(input.positions[row]);
-    else
-      add_element(dropped, row);
-  }
-  input.positions = std::move(kept);
-  const std::size_t count = input.facts.dropped = dropped.count;
-  report(input.findings, std::move(dropped), Severity::warning, "dropped_nonfinite",
-         counted(count, "point that is not finite was", "points that are not finite were") +
-             " dropped; their rows hold NaN.");
-}
-
-void make_cloud(const SourceFile& file, const ReadOptions& options, const Soup& soup, Input& input) {
-  if (!options.weights.empty()) reject_weights_of_points(file);
-  if (soup.face_count() > 0)
-    input.findings.push_back({Severity::note,
-                              "faces_not_used",
-                              "The file is read as points: its " +
-                                  counted(soup.face_count(), "face was", "faces were") +
-                                  " not used, its vertices all were.",
-                              soup.face_count(),
-                              {}});
-  drop_nonfinite(file, options, input);
-  if (input.positions.empty()) reject(file, InputFault::empty, "the file holds no points");
-  input.facts.bounding_box_diagonal = checked_diagonal(file, input.positions);
-  MergedPoints merged = merge_equal_points(input.positions);
-  Finding rows = merged_rows(merged, input);
-  const std::size_t count = rows.count;
-  report(input.findings, std::move(rows), Severity::warning, "merged_points",
-         counted(count, "point is", "points are") +
-             " at the same place as an earlier one and stand for it, at distance 0.");
-  use_merged(std::move(merged), input);
-}
-
-void weld(Input& input) {
-  MergedPoints merged = merge_equal_points(input.positions);
-  Finding rows = merged_rows(merged, input);
-  const std::size_t count = rows.count;
-  report(input.findings, std::move(rows), Severity::warning, "welded_vertices",
-         counted(count, "vertex was", "vertices were") + " merged into an earlier one at the same place.");
-  use_merged(std::move(merged), input);
-}
-
-void tell_of_faces(Polygons& polygons, Triangulated& faces, Input& input) {
-  input.facts.degenerate_faces_dropped = polygons.degenerate.count;
-  input.facts.polygons_split = faces.polygons_split;
-  const std::size_t degenerate = polygons.degenerate.count, repeated = polygons.repeated.count,
-                    nonplanar = faces.nonplanar.count;
-  report(input.findings, std::move(polygons.degenerate), Severity::warning, "degenerate_faces",
-         counted(degenerate, "face has", "faces have") + " fewer than three different corners, dropped.");
-  report(input.findings, std::move(polygons.repeated), Severity::warning, "repeated_corners",
-         counted(repeated, "polygon names", "polygons name") + " a corner twice in a row, which was taken as one.");
-  report(input.findings, std::move(faces.nonplanar), Severity::warning, "nonplanar_polygons",
-         counted(nonplanar, "polygon is", "polygons are") + " not planar: the surface depends on how they were split.");
-  Finding split;
-  split.count = faces.polygons_split;
-  report(input.findings, std::move(split), Severity::note, "polygons_split",
-         counted(faces.polygons_split, "polygon was", "polygons were") + " split into triangles.");
-}
-
-void make_mesh(const SourceFile& file, const ReadOptions& options, Soup& soup, Input& input) {
-  for (std::size_t v = 0; v < input.positions.size(); ++v)
-    if (!is_finite(input.positions[v]))
-      reject(file, InputFault::nonfinite, "vertex " + std::to_string(v) + " (from 0) is not finite",
-             remedies::finite_points());
-  input.facts.bounding_box_diagonal = checked_diagonal(file, input.positions);
-  if (options.weld) weld(input);
-  Polygons polygons = clean_faces(file, soup, input.element_of_row);
-  if (polygons.size() == 0)
-    reject(file, InputFault::degenerate, "no face has three different corners", remedies::take_vertices());
-  Triangulated faces = triangulate(file, polygons, input.positions);
-  tell_of_faces(polygons, faces, input);
-  input.triangles = std::move(faces.triangles);
-  input.face_of_triangle = std::move(faces.face_of_triangle);
-  use_weights(file, options.weights, soup, input);
-  check_mesh(polygons, input);
-}
-
-Input check(const SourceFile& file, const ReadOptions& options, Soup soup) {
-  Input input{.file = file.path, .format = soup.format, .hash = content_hash(file.bytes)};
-  if (soup.positions.empty()) reject(file, InputFault::empty, "the file holds no points");
-  if (soup.vertices_by_place) merge_vertices(soup);
-  input.kind = options.as.value_or(soup.face_count() > 0 ? InputKind::mesh : InputKind::points);
-  if (input.kind == InputKind::mesh && soup.face_count() == 0)
-    reject(file, InputFault::empty, "a mesh is asked for, but the file has no faces", remedies::take_points());
-  input.facts.rows = soup.positions.size();
-  input.facts.faces_in_file = soup.face_count();
-  input.findings = std::move(soup.findings);
-  input.positions = std::move(soup.positions);
-  input.element_of_row = identity(input.positions.size());
-  if (input.kind == InputKind::mesh)
-    make_mesh(file, options, soup, input);
-  else
-    make_cloud(file, options, soup, input);
-  return input;
-}
-
-}  // namespace
 
 Input read_input(const std::filesystem::path& path, const ReadOptions& options) {
+  using namespace input;
   try {
     const SourceFile file = read_source(path);
-    return check(file, options, parse(file, weight_choice(options.weights).property));
+    Soup soup = parse(file, weight_choice(options.weights).property);
+    if (soup.vertices_by_place) merge_vertices(soup);
+    return check_soup(Origin(path), options, std::move(soup), content_hash(file.bytes));
   } catch (const std::bad_alloc&) {
     throw InputError(InputFault::unsupported, path.string() + ": the file does not fit into memory");
   } catch (const std::length_error&) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "engine/input/mesh_check.hpp"
 #include "engine/input/findings.hpp"
+#include "engine/input/mesh_check.hpp"
 #include "geodrome/detail/connectivity.hpp"
 
 namespace geodrome::input {

@@ -27,11 +27,12 @@ InputFault kind_of(double weight) { return std::isfinite(weight) ? InputFault::r
 
 const char* const remedy = "give every face a positive, finite number";
 
-void check_property(const SourceFile& file, const std::string& property, const std::vector<double>& weights) {
+/// `whose`: what messages call the weight of a face.
+template <class Whose>
+void check_weights(const Origin& origin, const std::vector<double>& weights, Whose&& whose) {
   for (std::size_t f = 0; f < weights.size(); ++f)
     if (const std::string fault = fault_of(weights[f]); !fault.empty())
-      reject(file, kind_of(weights[f]),
-             "face " + std::to_string(f) + " (from 0), property '" + property + "': " + fault, remedy);
+      origin.reject(kind_of(weights[f]), whose(f) + ": " + fault, remedy);
 }
 
 /// One number a line, checked.
@@ -48,12 +49,12 @@ std::vector<double> read_numbers(const SourceFile& file) {
   return weights;
 }
 
-std::vector<double> read_weights(const std::filesystem::path& path, const SourceFile& input, std::size_t faces) {
+std::vector<double> read_weights(const std::filesystem::path& path, const Origin& input, std::size_t faces) {
   const SourceFile file = read_source(path);
   std::vector<double> weights = read_numbers(file);
   if (weights.size() != faces)
     reject(file, InputFault::index,
-           "holds " + counted(weights.size(), "weight", "weights") + ", but " + input.path.string() + " has " +
+           "holds " + counted(weights.size(), "weight", "weights") + ", but " + input.file().string() + " has " +
                counted(faces, "face", "faces"),
            "give one number a line for each face of the input, in its order");
   return weights;
@@ -73,22 +74,27 @@ WeightChoice weight_choice(const std::string& option) {
   return {option.substr(prefix.size()), {}};
 }
 
-void use_weights(const SourceFile& file, const std::string& option, Soup& soup, Input& input) {
-  if (option.empty()) return;
+void use_weights(const Origin& origin, const std::string& option, Soup& soup, Input& input) {
   const WeightChoice choice = weight_choice(option);
   std::vector<double> of_face;
-  if (choice.property.empty())
-    of_face = read_weights(choice.file, file, soup.face_count());
-  else
-    check_property(file, choice.property, of_face = std::move(soup.face_weights));
+  if (!choice.file.empty()) {
+    of_face = read_weights(choice.file, origin, soup.face_count());
+  } else {
+    of_face = std::move(soup.face_weights);
+    check_weights(origin, of_face, [&](std::size_t f) {
+      if (!origin.is_file()) return "weights[" + std::to_string(f) + "]";
+      return "face " + std::to_string(f) + " (from 0), property '" + choice.property + "'";
+    });
+  }
+  if (of_face.empty()) return;
   for (const Index face : input.face_of_triangle) input.weights.push_back(of_face[face]);
-  input.weights_from = option;
+  input.weights_from = origin.is_file() ? option : "weights";
   input.weights_hash = hash_of(input.weights);
 }
 
-void reject_weights_of_points(const SourceFile& file) {
-  reject(file, InputFault::unsupported, "weights are numbers of faces, but the input is points",
-         "leave the weights out, or give a mesh");
+void reject_weights_of_points(const Origin& origin) {
+  origin.reject(InputFault::unsupported, "weights are numbers of faces, but the input is points",
+                "leave the weights out, or give a mesh");
 }
 
 }  // namespace geodrome::input

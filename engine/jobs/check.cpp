@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "engine/jobs/check.hpp"
+
 #include <ostream>
 #include <sstream>
 
 #include "engine/input/finding_text.hpp"
-#include "engine/report/sample_report.hpp"
 #include "engine/report/weights_text.hpp"
-#include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
 
@@ -39,43 +39,42 @@ void print(const Input& input, const Observer& observer, std::ostream& out) {
 }
 
 /// Stages 1 to 4 and what there is to tell of them.
-void check_sample(const CheckJob& job, const Input& input, Observer& observer, Json& json, std::ostream& text,
-                  CheckReport& result) {
-  const PluginHost host(job.settings.plugin_path);
-  const SurfaceAttempt attempt = try_surface(input, host, job.settings, observer);
-  result.refusal = attempt.refusal;
-  const SampleError* refusal = attempt.refusal ? &*attempt.refusal : nullptr;
-  const SampleReport report = make_sample_report(input, attempt.surface, refusal, std::nullopt, job.settings.seed);
-  const std::vector<Finding>& findings = refusal ? refusal->findings() : attempt.surface.findings;
-  json.update(to_json(report));
+void tell_sample(const JobStart& start, const Observer& observer, Json& json, std::ostream& text) {
+  const Opened& opened = start.opened;
+  const std::vector<Finding>& findings = opened.refusal ? opened.refusal->findings() : opened.surface.findings;
+  json.update(to_json(*start.sample));
   json["findings"] = to_json(findings);
   json["stages"] = Json::array();
-  for (const StageRecord& stage : attempt.surface.stages) json["stages"].push_back(to_json(stage));
-  if (refusal)  // too little geometry to work on, as of an input that cannot be used
-    json["error"] = {
-        {"fault", name(InputFault::degenerate)}, {"message", refusal->what()}, {"remedy", refusal->remedy()}};
+  for (const StageRecord& stage : opened.surface.stages) json["stages"].push_back(to_json(stage));
+  if (opened.refusal)  // too little geometry to work on, as of an input that cannot be used
+    json["error"] = {{"fault", name(InputFault::degenerate)},
+                     {"message", opened.refusal->what()},
+                     {"remedy", opened.refusal->remedy()}};
   print(findings, observer, text);
-  print_full(report, text);
+  print_full(*start.sample, text);
 }
 
 }  // namespace
 
-CheckReport run_check(const CheckJob& job, Observer& observer) {
-  const Input input = read_input(job.input, job.settings.read);
-  CheckReport result;
+CheckReport check_report(const JobStart& start, const Observer& observer) {
+  CheckReport result{.refusal = start.opened.refusal};
   std::ostringstream text;
   text.precision(4);
-  Json json{{"usable", true}, {"input", to_json(input)}};
-  print(input, observer, text);
-  if (input.kind == InputKind::points && !job.input_only) check_sample(job, input, observer, json, text, result);
+  Json json{{"usable", true}, {"input", to_json(start.input())}};
+  print(start.input(), observer, text);
+  if (start.sample) tell_sample(start, observer, json, text);
   json["usable"] = !result.refusal;
   result.json = text_of(json), result.text = text.str();
   return result;
 }
 
-std::string unusable_json(const std::filesystem::path& file, const InputError& error, const std::string& remedy) {
-  const Json what{{"fault", name(error.fault())}, {"message", error.message()}, {"remedy", remedy}};
-  return text_of(Json{{"usable", false}, {"file", file.string()}, {"error", what}});
+CheckReport run_check(const CheckJob& job, Observer& observer) {
+  JobStart start{{.input = read_input(job.input, job.settings.read)}, std::nullopt};
+  if (start.input().kind == InputKind::points && !job.input_only) {
+    const PluginHost host(job.settings.plugin_path);
+    start = start_quietly(std::move(start.opened.input), host, job.settings, std::nullopt, observer);
+  }
+  return check_report(start, observer);
 }
 
 }  // namespace geodrome

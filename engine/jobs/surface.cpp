@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/check_outputs.hpp"
-#include "engine/surface/opened.hpp"
+#include "engine/jobs/start.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -9,9 +9,11 @@ MeshPtr run_surface(const SurfaceJob& job, Observer& observer) {
   check_mesh_ending(job.out, job.settings.read);
   check_outputs({&job.out, 1}, files_read(job.input, job.settings.read, {}));
   const PluginHost host(job.settings.plugin_path);
-  MeshPtr mesh = open_input(job.input, host, job.settings, observer).surface.mesh;
-  if (!job.out.empty()) write_mesh(job.out, *mesh);
-  return mesh;
+  const JobStart start = start_job(job.input, host, job.settings, std::nullopt, observer);
+  throw_if_refused(start, observer);
+  tell_sample(start, observer);
+  if (!job.out.empty()) write_mesh(job.out, *start.surface().mesh);
+  return start.surface().mesh;
 }
 
 }  // namespace geodrome

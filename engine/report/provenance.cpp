@@ -56,24 +56,25 @@ Json settings_json(const RunSettings& settings) {
           {"threads", thread_count(settings)}};
 }
 
-std::optional<SampleReport> sample_report_of(const Opened& opened, double factor, std::uint64_t seed) {
-  if (!opened.surface.sample) return std::nullopt;
-  return make_sample_report(opened.input, opened.surface, nullptr, factor, seed);
+void add_surface(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,
+                 const SurfaceFacts& surface) {
+  json["surface"] = to_json(surface);
+  if (sample) json.update(to_json(*sample));
+  json["surface"]["findings"] = to_json(opened.surface.findings);
+  json["stages"] = stages_json(opened.surface.stages);
 }
 
 void add_provenance(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,
                     const SurfaceFacts& surface, const PreparedSolver& solver) {
-  json["input"] = to_json(opened.input), json["surface"] = to_json(surface);
-  if (sample) json.update(to_json(*sample));
-  json["surface"]["findings"] = to_json(opened.surface.findings);
-  json["stages"] = stages_json(opened.surface.stages);
+  json["input"] = to_json(opened.input);
+  add_surface(json, opened, sample, surface);
   json["stages"].push_back(to_json(solver.record));
   json["solver_factor"] = to_json(solver.plugin.factor);
 }
 
-std::string refusal_report(const Json& settings, const Opened& opened, std::uint64_t seed) {
+std::string refusal_report(const Json& settings, const Opened& opened, const SampleReport& sample) {
   Json json{{"geodrome", settings}, {"input", to_json(opened.input)}};
-  json.update(to_json(make_sample_report(opened.input, opened.surface, &*opened.refusal, std::nullopt, seed)));
+  json.update(to_json(sample));
   json["stages"] = stages_json(opened.surface.stages);
   json["timings"] = {{"read", opened.read_seconds}, {"surface", opened.surface_seconds}};
   json["peak_memory_bytes"] = peak_memory_bytes();

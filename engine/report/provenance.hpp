@@ -8,6 +8,7 @@
 
 #include "engine/report/json.hpp"
 #include "engine/report/sample_report.hpp"
+#include "engine/search/prepared_solver.hpp"
 #include "engine/surface/opened.hpp"
 
 /// What the reports of all jobs have in common.
@@ -18,15 +19,16 @@ std::uint64_t peak_memory_bytes();
 /// Versions, seed, threads.
 Json settings_json(const RunSettings& settings);
 
-/// The sample report of a job whose sample was not refused; none for a mesh. `factor`: the solver's.
-std::optional<SampleReport> sample_report_of(const Opened& opened, double factor, std::uint64_t seed);
+/// Surface, sample report and stages, into `json`.
+void add_surface(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,
+                 const SurfaceFacts& surface);
 
-/// Input, surface, sample report, stages, the solver's factor, into `json`.
+/// The same with the input, and with the solver as the last stage.
 void add_provenance(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,
                     const SurfaceFacts& surface, const PreparedSolver& solver);
 
 /// The report of a job whose sample was refused, as JSON: `settings` and what is known up to there.
-std::string refusal_report(const Json& settings, const Opened& opened, std::uint64_t seed);
+std::string refusal_report(const Json& settings, const Opened& opened, const SampleReport& sample);
 
 /// Lines "input", "surface" and "solver".
 void summarize_provenance(const Input& input, const SurfaceFacts& surface, const PreparedSolver& solver,

@@ -7,15 +7,12 @@
 #include <ostream>
 #include <sstream>
 
+#include "engine/formats/text.hpp"
 #include "engine/report/sample_report.hpp"
 
 namespace geodrome {
 
 namespace {
-
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 /// Two digits: it is an estimate.
 std::string about(double count) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "geodrome/engine/pipeline.hpp"
+#include "engine/search/prepared_solver.hpp"
 
 namespace geodrome {
 

@@ -47,4 +47,14 @@ void check_rule(ProjectionRule rule, const Opened& opened, std::span<const Named
                           remedies::default_rule_or("choose another reconstructor"));
 }
 
+void check_limit(double max_distance) {
+  if (!(max_distance >= 0)) throw OptionError("the largest distance must be a number >= 0");
+}
+
+void check_path_rule(ProjectionRule rule) {
+  if (rule == ProjectionRule::printed)
+    throw OptionError("the rule printed has no paths: its distances are minima over several points",
+                      remedies::insertion_or_default_rule());
+}
+
 }  // namespace geodrome

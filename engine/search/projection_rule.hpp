@@ -5,7 +5,8 @@
 #include <string_view>
 
 #include "engine/surface/opened.hpp"
-#include "geodrome/engine/jobs.hpp"
+#include "geodrome/engine/distances.hpp"
+#include "geodrome/engine/named_points.hpp"
 
 namespace geodrome {
 
@@ -18,5 +19,11 @@ std::string_view caveat(ProjectionRule rule);
 /// Throws OptionError if the rule means nothing for this input or these sources, CapabilityError, naming the
 /// reconstructor, if that cannot insert points.
 void check_rule(ProjectionRule rule, const Opened& opened, std::span<const NamedPoint> sources);
+
+/// Throws OptionError unless it is a number >= 0.
+void check_limit(double max_distance);
+
+/// Throws OptionError for `printed`, which has no paths.
+void check_path_rule(ProjectionRule rule);
 
 }  // namespace geodrome

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "geodrome/engine/named_points.hpp"
+#include "geodrome/shortest_path_map.hpp"
 #include "geodrome/vertex_components.hpp"
 
 namespace geodrome {
@@ -17,6 +18,13 @@ struct ReachCounts {
   std::uint64_t missed = 0, impossible = 0;
 };
 
+/// How outputs name what came of a distance; NaN is that of a point that was dropped.
+inline const char* reach_word(double distance, Reach reach) {
+  if (std::isnan(distance)) return "dropped";
+  if (reach == Reach::reached) return "reached";
+  return reach == Reach::beyond_limit ? "beyond_limit" : "unreachable";
+}
+
 /// The component of the surface that a place lies in, by those of the vertices; a dropped one is in none.
 inline Index component_of(const SurfaceMesh& mesh, std::span<const Index> of_vertex, const Place& place) {
   if (place.state == Place::State::dropped) return no_index;
@@ -24,11 +32,11 @@ inline Index component_of(const SurfaceMesh& mesh, std::span<const Index> of_ver
   return of_vertex[isolated ? place.vertex : mesh.triangles()[place.at.face][0]];
 }
 
-/// The component of each query, as `vertex_components` names it.
-inline std::vector<Index> components_of(const SurfaceMesh& mesh, std::span<const NamedPoint> queries) {
+/// The component of each point, as `vertex_components` names it.
+inline std::vector<Index> components_of(const SurfaceMesh& mesh, std::span<const NamedPoint> points) {
   const std::vector<Index> of_vertex = vertex_components(mesh);
   std::vector<Index> components;
-  for (const NamedPoint& query : queries) components.push_back(component_of(mesh, of_vertex, query.place));
+  for (const NamedPoint& point : points) components.push_back(component_of(mesh, of_vertex, point.place));
   return components;
 }
 

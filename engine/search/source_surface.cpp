@@ -46,13 +46,13 @@ SourceSurfaces::SourceSurfaces(ProjectionRule rule, const Opened& opened, std::v
   for (Index v = 0; v < element_of_vertex.size(); ++v)
     if (element_of_vertex[v] != no_index) vertex_of_element_[element_of_vertex[v]] = v;
   const VertexLocator vertices(*opened.surface.mesh);
-  for (const NamedPoint& target : targets_->queries())
+  for (const NamedPoint& target : targets_->named())
     nearest_.push_back(target.place.state == Place::State::on_surface ? vertices.nearest(target.place.position)
                                                                       : no_index);
 }
 
-Index SourceSurfaces::element_of(const NamedPoint& query) const {
-  return query.row == no_index ? no_index : opened_.input.element_of_row[query.row];
+Index SourceSurfaces::element_of(const NamedPoint& point) const {
+  return point.row == no_index ? no_index : opened_.input.element_of_row[point.row];
 }
 
 Inserted SourceSurfaces::insert(Index element) const {
@@ -80,7 +80,7 @@ SourceSurface SourceSurfaces::of(const NamedPoint& source) const {
 /// The corrected rule: closest points of the surface with the source. The source itself is the vertex it became, even
 /// if smoothing moved it there.
 std::shared_ptr<const TargetList> SourceSurfaces::inserted_targets(const SourceSurface& on, Index element) const {
-  std::vector<NamedPoint> targets(targets_->queries().begin(), targets_->queries().end());
+  std::vector<NamedPoint> targets(targets_->named().begin(), targets_->named().end());
   if (on.mesh != reconstruction()) relocate(targets, *reconstruction(), *opened_.surface.locator, on.mesh);
   for (NamedPoint& target : targets)
     if (element_of(target) == element) target.place = at_vertex(target.place, *on.mesh, on.source.place.vertex);
@@ -91,7 +91,7 @@ std::shared_ptr<const TargetList> SourceSurfaces::inserted_targets(const SourceS
 std::shared_ptr<const TargetList> SourceSurfaces::printed_targets(const SourceSurface& on, Index element) const {
   const SurfaceMesh& mesh = *on.mesh;
   const Index source = on.source.place.vertex;
-  std::vector<NamedPoint> targets(targets_->queries().begin(), targets_->queries().end());
+  std::vector<NamedPoint> targets(targets_->named().begin(), targets_->named().end());
   std::vector<std::vector<SurfacePoint>> points(targets.size());
   for (std::size_t j = 0; j < targets.size(); ++j) {
     Place& place = targets[j].place;
@@ -107,13 +107,6 @@ std::shared_ptr<const TargetList> SourceSurfaces::printed_targets(const SourceSu
     place.at = points[j].front(), place.vertex = no_index;
   }
   return std::make_shared<const TargetList>(std::move(targets), points);
-}
-
-PreparedSolver prepared_on(const PreparedSolver& solver, const MeshPtr& mesh, RunContext& context) {
-  PreparedSolver result = solver;
-  result.prepared = solver.plugin.call([&](const ShortestPathSolver& stage) { return stage.prepare(mesh, context); });
-  if (!result.prepared) throw PluginError(solver.plugin.info.full_name() + ": prepared nothing");
-  return result;
 }
 
 }  // namespace geodrome

@@ -4,10 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "engine/search/distance_row.hpp"
-#include "engine/surface/opened.hpp"
 #include "engine/search/printed_rule.hpp"
-#include "geodrome/engine/jobs.hpp"
+#include "engine/search/target_list.hpp"
+#include "engine/surface/opened.hpp"
+#include "geodrome/engine/distances.hpp"
 
 namespace geodrome {
 
@@ -39,7 +39,7 @@ class SourceSurfaces {
   Inserted insert(Index element) const;
   std::shared_ptr<const TargetList> inserted_targets(const SourceSurface& on, Index element) const;
   std::shared_ptr<const TargetList> printed_targets(const SourceSurface& on, Index element) const;
-  Index element_of(const NamedPoint& query) const;
+  Index element_of(const NamedPoint& point) const;
 
   ProjectionRule rule_;
   const Opened& opened_;
@@ -47,8 +47,5 @@ class SourceSurfaces {
   std::vector<Index> vertex_of_element_;  // printed: the vertex of each kept point
   std::vector<Index> nearest_;            // printed: the vertex of the reconstruction nearest to each target
 };
-
-/// A solver with another surface prepared, by the same plugin.
-PreparedSolver prepared_on(const PreparedSolver& solver, const MeshPtr& mesh, RunContext& context);
 
 }  // namespace geodrome

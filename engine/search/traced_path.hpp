@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "geodrome/engine/jobs.hpp"
+#include "engine/search/prepared_solver.hpp"
+#include "geodrome/engine/distances.hpp"
 
 namespace geodrome {
 

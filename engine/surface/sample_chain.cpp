@@ -3,23 +3,23 @@
 
 #include <algorithm>
 
-#include "engine/surface/input_rows.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/surface/input_rows.hpp"
+#include "engine/surface/place.hpp"
 
 namespace geodrome {
 
 namespace {
 
-/// Runs one stage: loads its plugin, times the call, keeps the record, also of a stage that refuses the sample.
+/// Runs one stage: times the call, keeps the record, also of a stage that refuses the sample.
 template <class Stage, class Function>
-auto run_stage(const std::string& selection, const PluginHost& host, const RunSettings& settings, Observer& observer,
+auto run_stage(const Plugin<Stage>& plugin, const RunSettings& settings, Observer& observer,
                std::vector<StageRecord>& records, Function&& function) {
-  const Plugin<Stage> plugin = host.load<Stage>(selection);
   StageContext context(Stage::stage, observer, thread_count(settings), settings.seed);
   const Stopwatch watch;
   const auto record = [&] { records.push_back({plugin.info, plugin.options, watch.seconds(), context.measures()}); };
   try {
-    auto result = plugin.call([&](const Stage& stage) { return function(stage, context, plugin.info); });
+    auto result = plugin.call([&](const Stage& stage) { return function(stage, context); });
     context.throw_if_cancelled();
     record();
     return result;
@@ -90,7 +90,7 @@ std::vector<Place> project(const Input& input, const SurfaceLocator& locator, co
     of_point[i].position = input.positions[i];
     if (control.state[i] == PointState::dropped) continue;
     const SurfacePoint at = locator.closest(input.positions[i]).at;
-    of_point[i] = {Place::State::on_surface, at, mesh.vertex_at(at), input.positions[i]};
+    of_point[i] = place_on(mesh, at, input.positions[i]);
   }
   std::vector<Place> of_row;
   for (const Index i : input.element_of_row) of_row.push_back(i == no_index ? Place{} : of_point[i]);
@@ -122,65 +122,64 @@ const Value& SampleChain::once(Outcomes<Value>& known, const std::string& key, s
   return *outcome.value;
 }
 
-const SampleChain::Planes& SampleChain::planes(const std::string& key, const StageChoice& choice,
+const SampleChain::Planes& SampleChain::planes(const std::string& key, const Plugin<TangentEstimator>& plugin,
                                                std::vector<StageRecord>& records) {
   return once(planes_, key, records, [&](std::vector<StageRecord>& mine) {
-    return run_stage<TangentEstimator>(choice.tangent, host_, settings_, observer_, mine,
-                                       [&](const auto& stage, RunContext& context, const PluginInfo& plugin) {
-                                         Tangents tangents = stage.estimate(sample_, context);
-                                         check(tangents, sample_.size(), plugin);
-                                         PointSample moved = smoothed(sample_, tangents);
-                                         return Planes{std::move(tangents), std::move(moved)};
-                                       });
+    return run_stage(plugin, settings_, observer_, mine, [&](const auto& stage, RunContext& context) {
+      Tangents tangents = stage.estimate(sample_, context);
+      check(tangents, sample_.size(), plugin.info);
+      PointSample moved = smoothed(sample_, tangents);
+      return Planes{std::move(tangents), std::move(moved)};
+    });
   });
 }
 
-const Control& SampleChain::control(const std::string& key, const StageChoice& choice, const Planes& planes,
+const Control& SampleChain::control(const std::string& key, const Plugin<ControlFunction>& plugin, const Planes& planes,
                                     std::vector<StageRecord>& records) {
   return once(controls_, key, records, [&](std::vector<StageRecord>& mine) {
-    return run_stage<ControlFunction>(choice.control, host_, settings_, observer_, mine,
-                                      [&](const auto& stage, RunContext& context, const PluginInfo& plugin) {
-                                        Control control = stage.evaluate(planes.smoothed, planes.tangents, context);
-                                        check(control, sample_.size(), plugin);
-                                        return control;
-                                      });
+    return run_stage(plugin, settings_, observer_, mine, [&](const auto& stage, RunContext& context) {
+      Control control = stage.evaluate(planes.smoothed, planes.tangents, context);
+      check(control, sample_.size(), plugin.info);
+      return control;
+    });
   });
 }
 
-const std::vector<Index>& SampleChain::kept(const std::string& key, const StageChoice& choice, const SampleStages& made,
-                                            std::vector<StageRecord>& records) {
+const std::vector<Index>& SampleChain::kept(const std::string& key, const Plugin<Decimator>& plugin,
+                                            const SampleStages& made, std::vector<StageRecord>& records) {
   return once(kept_, key, records, [&](std::vector<StageRecord>& mine) {
-    return run_stage<Decimator>(choice.decimator, host_, settings_, observer_, mine,
-                                [&](const auto& stage, RunContext& context, const PluginInfo& plugin) {
-                                  std::vector<Index> kept = stage.select(made.smoothed, made.control, context);
-                                  check(kept, sample_.size(), plugin);
-                                  return kept;
-                                });
+    return run_stage(plugin, settings_, observer_, mine, [&](const auto& stage, RunContext& context) {
+      std::vector<Index> kept = stage.select(made.smoothed, made.control, context);
+      check(kept, sample_.size(), plugin.info);
+      return kept;
+    });
   });
 }
 
-const SampleChain::Built& SampleChain::built(const std::string& key, const StageChoice& choice,
+const SampleChain::Built& SampleChain::built(const std::string& key, const Plugin<SurfaceReconstructor>& plugin,
                                              const SampleStages& made, std::vector<StageRecord>& records) {
   return once(built_, key, records, [&](std::vector<StageRecord>& mine) {
-    return run_stage<SurfaceReconstructor>(choice.reconstructor, host_, settings_, observer_, mine,
-                                           [&](const auto& stage, RunContext& context, const PluginInfo& plugin) {
-                                             Reconstruction result = stage.reconstruct(
-                                                 made.smoothed, made.tangents, made.control, made.kept, context);
-                                             check(result, sample_.size(), plugin);
-                                             return Built{std::move(result.mesh), std::move(result.sample_of_vertex),
-                                                          std::move(result.findings), std::move(result.inserter)};
-                                           });
+    return run_stage(plugin, settings_, observer_, mine, [&](const auto& stage, RunContext& context) {
+      Reconstruction result = stage.reconstruct(made.smoothed, made.tangents, made.control, made.kept, context);
+      check(result, sample_.size(), plugin.info);
+      return Built{std::move(result.mesh), std::move(result.sample_of_vertex), std::move(result.findings),
+                   std::move(result.inserter)};
+    });
   });
 }
 
 void SampleChain::run(const StageChoice& choice, PlacedSurface& surface) {
+  const auto tangent = host_.load<TangentEstimator>(choice.tangent);
+  const auto control_function = host_.load<ControlFunction>(choice.control);
+  const auto decimator = host_.load<Decimator>(choice.decimator);
+  const auto reconstructor = host_.load<SurfaceReconstructor>(choice.reconstructor);
   SampleStages& made = *surface.sample;
   std::string key = choice.tangent;
-  const Planes& planes = this->planes(key, choice, surface.stages);
+  const Planes& planes = this->planes(key, tangent, surface.stages);
   made.tangents = planes.tangents, made.smoothed = planes.smoothed;
-  made.control = control(key += "\n" + choice.control, choice, planes, surface.stages);
-  made.kept = kept(key += "\n" + choice.decimator, choice, made, surface.stages);
-  const Built& result = built(key += "\n" + choice.reconstructor, choice, made, surface.stages);
+  made.control = control(key += "\n" + choice.control, control_function, planes, surface.stages);
+  made.kept = kept(key += "\n" + choice.decimator, decimator, made, surface.stages);
+  const Built& result = built(key += "\n" + choice.reconstructor, reconstructor, made, surface.stages);
   made.sample_of_vertex = result.sample_of_vertex;
   surface.mesh = result.mesh, surface.findings = result.findings, surface.inserter = result.inserter;
   name_rows(surface.findings, rows_of_elements(input_));

@@ -20,7 +20,8 @@ class SampleChain {
   /// All must outlive it. `settings.stages` is not used.
   SampleChain(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
 
-  /// As `try_surface` with `choice` (its solver does not count), and the same errors. The same call gives the same.
+  /// As `try_surface` with `choice` (its solver does not count), and the same errors. All four plugins are loaded
+  /// before the first of them runs. The same call gives the same.
   SurfaceAttempt make(const StageChoice& choice);
 
  private:
@@ -48,12 +49,13 @@ class SampleChain {
 
   template <class Value, class Make>
   const Value& once(Outcomes<Value>& known, const std::string& key, std::vector<StageRecord>& records, Make&& make);
-  const Planes& planes(const std::string& key, const StageChoice& choice, std::vector<StageRecord>& records);
-  const Control& control(const std::string& key, const StageChoice& choice, const Planes& planes,
+  const Planes& planes(const std::string& key, const Plugin<TangentEstimator>& plugin,
+                       std::vector<StageRecord>& records);
+  const Control& control(const std::string& key, const Plugin<ControlFunction>& plugin, const Planes& planes,
                          std::vector<StageRecord>& records);
-  const std::vector<Index>& kept(const std::string& key, const StageChoice& choice, const SampleStages& made,
+  const std::vector<Index>& kept(const std::string& key, const Plugin<Decimator>& plugin, const SampleStages& made,
                                  std::vector<StageRecord>& records);
-  const Built& built(const std::string& key, const StageChoice& choice, const SampleStages& made,
+  const Built& built(const std::string& key, const Plugin<SurfaceReconstructor>& plugin, const SampleStages& made,
                      std::vector<StageRecord>& records);
   void run(const StageChoice& choice, PlacedSurface& surface);
 

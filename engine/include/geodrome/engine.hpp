@@ -13,4 +13,5 @@
 #include "geodrome/engine/remedies.hpp"
 #include "geodrome/engine/row_set.hpp"
 #include "geodrome/engine/row_sink.hpp"
+#include "geodrome/engine/session.hpp"
 #include "geodrome/engine/version.hpp"

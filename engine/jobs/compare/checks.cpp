@@ -12,7 +12,7 @@ namespace {
 Invariants invariants_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
   const PreparedSolver& solver = measured.solver;
   const auto read = [&](std::uint64_t row) { return measured.rows[row]; };
-  return check_invariants(on.sources, on.targets.queries(), read,
+  return check_invariants(on.sources, on.targets.named(), read,
                           {.factor = solver.plugin.factor,
                            .bounded = on.targets.bounded() || solver.provides(Provides::never_shorter),
                            .smallest_weight = smallest_weight(*on.surface->mesh),
@@ -22,7 +22,7 @@ Invariants invariants_of(const ComparedSurface& on, const Measurement& measured,
 InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) {
   const SurfaceMesh& mesh = *on.surface->mesh;
   const std::vector<Index> of_source = components_of(mesh, on.sources),
-                           of_target = components_of(mesh, on.targets.queries());
+                           of_target = components_of(mesh, on.targets.named());
   ReachCounts counts;
   for (std::size_t i = 0; i < measured.rows.size(); ++i)
     count_reach(measured.rows[i], of_source[i], of_target, false, counts);
@@ -59,7 +59,7 @@ GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& meas
                        .never_shorter = measured.solver.provides(Provides::never_shorter),
                        .exact_truth = truth.is_exact(),
                        .of_source = stated_for(on.sources, measured.solver),
-                       .of_target = stated_for(on.targets.queries(), measured.solver),
+                       .of_target = stated_for(on.targets.named(), measured.solver),
                        .tolerance = truth.tolerance()};
   terms.scale = scale_of(true_rows, on.surface->mesh->positions(), smallest_weight(*on.surface->mesh));
   return judge_guarantee(measured.rows, true_rows, terms);

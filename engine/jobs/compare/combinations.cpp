@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "engine/formats/remedies.hpp"
+#include "engine/formats/text.hpp"
 
 namespace geodrome {
 
@@ -26,7 +27,7 @@ const StageMember& member_of(const std::string& stage) {
   std::string names;
   for (const StageMember& member : stage_members) {
     if (member.stage == stage) return member;
-    names += (names.empty() ? "" : ", ") + std::string(member.stage);
+    append_word(names, member.stage);
   }
   throw OptionError("there is no stage '" + stage + "'", "stages are " + names);
 }

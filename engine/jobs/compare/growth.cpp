@@ -93,18 +93,18 @@ std::shared_ptr<const ComparedSurface> ComparisonGrowth::sparser(const StageChoi
   return known->surfaces.placed(known->surfaces.make(choice));
 }
 
-std::vector<GrowthStep> ComparisonGrowth::of(const Combination& combination,
+std::vector<GrowthStep> ComparisonGrowth::of(const Combination& combination, const Plugin<ShortestPathSolver>& solver,
                                              const std::shared_ptr<const ComparedSurface>& on, const SearchCost& own) {
   std::vector<GrowthStep> steps;
   if (levels_ == 0) return steps;
-  steps.push_back({on->targets.queries().size(), own});
+  steps.push_back({on->targets.size(), own});
   for (unsigned level = 1; level <= levels_; ++level) {
     const std::string name = combination.name + ", " + size_text(input_.kind, level);
     try {
       const bool is_mesh = input_.kind == InputKind::mesh;
       const auto other = is_mesh ? finer(on, level) : sparser(combination.choice, *on, level);
-      const Measurement measured = measure(*other, combination.choice.solver, host_, settings_, name, observer_);
-      const std::size_t rows = is_mesh ? measured.cost.vertices : other->targets.queries().size();
+      const Measurement measured = measure(*other, solver, host_, settings_, name, observer_);
+      const std::size_t rows = is_mesh ? measured.cost.vertices : other->targets.size();
       steps.push_back({rows, measured.cost});
     } catch (const Cancelled&) {
       throw;

@@ -15,7 +15,8 @@ struct SamplePart {
   std::vector<Index> element;  ///< per row of the part: the point of the whole
 
   /// `sources`, of the whole, on a surface of the part.
-  std::vector<NamedPoint> place(std::span<const NamedPoint> sources, const Input& whole, const PlacedSurface& surface) const;
+  std::vector<NamedPoint> place(std::span<const NamedPoint> sources, const Input& whole,
+                                const PlacedSurface& surface) const;
 };
 
 /// About `points` of the input's points; with the same seed a smaller part lies within a larger one, but for sources.
@@ -32,8 +33,8 @@ class ComparisonGrowth {
 
   /// Smallest first, the combination's own cost on the input among them; empty without levels. A size that cannot be
   /// measured is left out and told to the observer. Throws Cancelled.
-  std::vector<GrowthStep> of(const Combination& combination, const std::shared_ptr<const ComparedSurface>& on,
-                             const SearchCost& own);
+  std::vector<GrowthStep> of(const Combination& combination, const Plugin<ShortestPathSolver>& solver,
+                             const std::shared_ptr<const ComparedSurface>& on, const SearchCost& own);
 
  private:
   struct Sparser;

@@ -9,8 +9,9 @@
 #include "engine/jobs/compare/page.hpp"
 #include "engine/jobs/compare/text.hpp"
 #include "engine/jobs/compare/view.hpp"
+#include "engine/jobs/start.hpp"
 #include "engine/output/atomic_file.hpp"
-#include "engine/surface/opened.hpp"
+#include "engine/surface/selection.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -37,28 +38,32 @@ RunSettings on_one_thread(RunSettings settings) {
 /// The comparison of combinations on one input, as far as it has come.
 class Comparison {
  public:
-  Comparison(const CompareJob& job, const PluginHost& host, const RunSettings& settings, const Input& input,
-             Observer& observer)
+  Comparison(const CompareJob& job, const Selection& sources, const PluginHost& host, const RunSettings& settings,
+             const Input& input, Observer& observer)
       : job_(job),
         host_(host),
         settings_(settings),
         input_(input),
         observer_(observer),
         surfaces_(input, host, settings, observer,
-                  [this](const PlacedSurface& surface) { return select(job_.sources, input_, surface); }),
+                  [this, &sources](const PlacedSurface& surface) { return resolve(sources, input_, surface); }),
         truth_(job.truth, input, host, settings, observer),
         growth_(job.growth, input, host, settings, observer),
         view_(input, job.paths, settings.seed) {}
 
   void add(const Combination& combination) {
     CombinationFigures figures{.name = combination.name, .stages = choices_by_stage(combination.choice, input_.kind)};
+    SolverPlugin solver;
     std::shared_ptr<const PlacedSurface> surface;
-    attempt(figures, [&] { surface = surfaces_.make(combination.choice); });
+    attempt(figures, [&] {
+      solver = load_solver(host_, combination.choice.solver);
+      surface = surfaces_.make(combination.choice);
+    });
     if (surface) {
       const auto on = surfaces_.placed(surface);  // what is wrong with the sources is wrong for all,
       truth_.read_file(*on);                      // and what is wrong with the file
       if (sources_.empty()) sources_ = on->sources;
-      attempt(figures, [&] { fill(figures, combination, on); });
+      attempt(figures, [&] { fill(figures, combination, solver, on); });
     }
     if (!figures.ran() && !job_.page.empty()) view_.add_failed();
     combinations_.push_back(std::move(figures));
@@ -92,15 +97,16 @@ class Comparison {
     }
   }
 
-  void fill(CombinationFigures& figures, const Combination& combination,
+  void fill(CombinationFigures& figures, const Combination& combination, const SolverPlugin& solver,
             const std::shared_ptr<const ComparedSurface>& on) {
-    judge(figures, combination, *on);
-    figures.growth = growth_.of(combination, on, figures.cost);
+    judge(figures, combination.name, solver, *on);
+    figures.growth = growth_.of(combination, solver, on, figures.cost);
   }
 
-  void judge(CombinationFigures& figures, const Combination& combination, const ComparedSurface& on) {
-    const Measurement measured = measure(on, combination.choice.solver, host_, settings_, combination.name, observer_);
-    const DistanceRows& true_rows = truth_.rows(combination.name, on, measured.rows);
+  void judge(CombinationFigures& figures, const std::string& name, const SolverPlugin& solver,
+             const ComparedSurface& on) {
+    const Measurement measured = measure(on, solver, host_, settings_, name, observer_);
+    const DistanceRows& true_rows = truth_.rows(name, on, measured.rows);
     for (const StageRecord& stage : on.surface->stages)
       figures.stage_seconds.emplace_back(stage.plugin.stage, stage.seconds);
     figures.cost = measured.cost;
@@ -145,11 +151,12 @@ CompareReport run_compare(const CompareJob& job, Observer& observer) {
   check_arguments(job);
   const std::optional<ComparisonPage> page =
       job.page.empty() ? std::nullopt : std::make_optional<ComparisonPage>(job.page_template);
+  const Selection sources = parse_selection(job.sources);
   const RunSettings settings = on_one_thread(job.settings);
   const PluginHost host(settings.plugin_path);
   const Input input = read_and_tell(job.input, settings, observer);
   const std::vector<Combination> combinations = combinations_of(varied, settings.stages, input.kind);
-  Comparison comparison(job, host, settings, input, observer);
+  Comparison comparison(job, sources, host, settings, input, observer);
   for (const Combination& combination : combinations) comparison.add(combination);
 
   const ComparisonFigures figures = comparison.figures();

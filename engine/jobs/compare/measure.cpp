@@ -3,9 +3,10 @@
 
 #include <malloc.h>
 
+#include "engine/host/stage_context.hpp"
 #include "engine/report/memory.hpp"
 #include "engine/search/counter_sum.hpp"
-#include "engine/host/stage_context.hpp"
+#include "engine/search/distances.hpp"
 
 namespace geodrome {
 
@@ -59,18 +60,16 @@ std::map<std::string, double> means(const std::map<std::string, std::uint64_t>& 
 
 }  // namespace
 
-Measurement measure(const ComparedSurface& on, const std::string& solver, const PluginHost& host,
+Measurement measure(const ComparedSurface& on, const Plugin<ShortestPathSolver>& solver, const PluginHost& host,
                     const RunSettings& settings, const std::string& name, Observer& observer) {
-  constexpr double no_limit = std::numeric_limits<double>::infinity();
-  const std::span<const NamedPoint> targets = on.targets.queries();
+  const std::span<const NamedPoint> targets = on.targets.named();
   Measurement measured;
   measured.rows.assign(on.sources.size(), std::vector<double>(targets.size()));
-  host.load<ShortestPathSolver>(solver);
   const MemoryRise rise;
 
   const Stopwatch preparing;
-  measured.solver = prepare_solver(on.surface->mesh, host, solver, settings, observer);
-  check_provides(measured.solver, on.sources, targets, no_limit);
+  measured.solver = prepare_solver(solver, on.surface->mesh, host, settings, observer);
+  check_provides(measured.solver.plugin.info, ProjectionRule::project, on.sources, targets, infinity);
   const auto search = make_search(measured.solver);
   SearchCost& cost = measured.cost;
   cost.prepare_seconds = preparing.seconds();
@@ -82,7 +81,7 @@ Measurement measure(const ComparedSurface& on, const std::string& solver, const 
   for (std::size_t i = 0; i < on.sources.size(); ++i) {
     const Stopwatch searching;
     const auto counted =
-        distance_row(measured.solver, *search, on.sources[i], on.targets, no_limit, context, measured.rows[i]);
+        distance_row(measured.solver, *search, on.sources[i], on.targets, infinity, context, measured.rows[i]);
     cost.source_seconds.push_back(searching.seconds());
     if (on.sources[i].place.state == Place::State::on_surface) ++searches;
     if (!counted.empty()) counters.add(measured.solver, counted);

@@ -13,10 +13,10 @@ struct Measurement {
   DistanceRows rows;  ///< as `distances` gives them: sources by targets, start distances added
 };
 
-/// Prepares the surface and searches it from every source, on this thread alone. Loading the plugin does not count.
+/// Prepares the surface and searches it from every source, on this thread alone.
 /// `name` is told to the observer with the progress. Throws as `prepare_solver` and `check_provides`, and what the
 /// solver throws.
-Measurement measure(const ComparedSurface& on, const std::string& solver, const PluginHost& host,
+Measurement measure(const ComparedSurface& on, const Plugin<ShortestPathSolver>& solver, const PluginHost& host,
                     const RunSettings& settings, const std::string& name, Observer& observer);
 
 }  // namespace geodrome

@@ -47,7 +47,7 @@ std::shared_ptr<const ComparedSurface> refined(const ComparedSurface& coarse) {
   surface->made_from = InputKind::mesh;
   surface->mesh = std::make_shared<const SurfaceMesh>(cut_in_four(*coarse.surface->mesh));
   for (const Place& place : coarse.surface->places) surface->places.push_back(on_refined(place, *surface->mesh));
-  TargetList targets(on_refined(coarse.targets.queries(), *surface->mesh), *surface);
+  TargetList targets(on_refined(coarse.targets.named(), *surface->mesh), *surface);
   return std::make_shared<const ComparedSurface>(
       ComparedSurface{surface, on_refined(coarse.sources, *surface->mesh), std::move(targets)});
 }

@@ -2,6 +2,7 @@
 #include "engine/jobs/compare/surfaces.hpp"
 
 #include "engine/input/finding_text.hpp"
+#include "geodrome/engine/named_points.hpp"
 
 namespace geodrome {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "engine/search/distance_row.hpp"
+#include "engine/search/target_list.hpp"
 #include "engine/surface/sample_chain.hpp"
 
 namespace geodrome {

@@ -69,21 +69,21 @@ ComparisonTruth::ComparisonTruth(const std::string& truth, const Input& input, c
   } else if (truth != "first") {
     kind_ = Kind::exact;
     name_ = truth == "exact" ? StageChoice().solver : truth.substr(exact_prefix.size());
-    if (host.load<ShortestPathSolver>(name_).factor != 1)
+    solver_ = host.load<ShortestPathSolver>(name_);
+    if (solver_.factor != 1)
       throw OptionError("the truth " + truth + ": that solver is not exact", "choose one with factor 1, as chen_han");
   }
 }
 
 void ComparisonTruth::read_file(const ComparedSurface& on) {
-  if (matrix_ && !same_for_all_)
-    same_for_all_ = rows_of_sources(*matrix_, name_, on.sources, on.targets.queries().size());
+  if (matrix_ && !same_for_all_) same_for_all_ = rows_of_sources(*matrix_, name_, on.sources, on.targets.size());
 }
 
 const DistanceRows& ComparisonTruth::rows(const std::string& combination, const ComparedSurface& on,
                                           const DistanceRows& own) {
   if (kind_ == Kind::exact) {
     DistanceRows& rows = of_surface_[on.surface.get()];
-    if (rows.empty()) rows = measure(on, name_, host_, settings_, "truth", observer_).rows;
+    if (rows.empty()) rows = measure(on, solver_, host_, settings_, "truth", observer_).rows;
     return rows;
   }
   if (!same_for_all_ && kind_ == Kind::first) same_for_all_ = own, name_ = combination;

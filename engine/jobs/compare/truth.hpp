@@ -48,7 +48,8 @@ class ComparisonTruth {
   const RunSettings& settings_;
   Observer& observer_;
   Kind kind_ = Kind::first;
-  std::string name_;  // of the first combination, the exact solver, or the file
+  Plugin<ShortestPathSolver> solver_;  // exact
+  std::string name_;                   // of the first combination, the exact solver, or the file
   std::optional<NpyMatrix> matrix_;
   std::optional<DistanceRows> same_for_all_;
   std::map<const PlacedSurface*, DistanceRows> of_surface_;

@@ -6,14 +6,16 @@
 #include "engine/checks/seeded_subset.hpp"
 #include "engine/formats/base64.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/search/distances.hpp"
 #include "engine/search/traced_path.hpp"
 #include "engine/surface/input_rows.hpp"
+#include "engine/surface/place.hpp"
 
 namespace geodrome {
 
 namespace {
 
-constexpr float not_computed = std::numeric_limits<float>::quiet_NaN();
+constexpr float no_error = std::numeric_limits<float>::quiet_NaN();
 
 std::string coordinates_text(std::span<const Vec3> points) {
   std::vector<float> values;
@@ -41,7 +43,7 @@ std::vector<Index> rows_of_vertices(const Input& input, const PlacedSurface& sur
 
 /// D / T - 1 where both are numbers.
 float error_of(double distance, double truth) {
-  if (!std::isfinite(distance) || !std::isfinite(truth) || truth == 0) return not_computed;
+  if (!std::isfinite(distance) || !std::isfinite(truth) || truth == 0) return no_error;
   return static_cast<float>(distance / truth - 1);
 }
 
@@ -49,16 +51,18 @@ float error_of(double distance, double truth) {
 std::string errors_text(const std::vector<Index>& rows, const std::vector<double>& distances,
                         const std::vector<double>& truth) {
   std::vector<float> errors;
-  for (const Index row : rows) errors.push_back(row == no_index ? not_computed : error_of(distances[row], truth[row]));
+  for (const Index row : rows) errors.push_back(row == no_index ? no_error : error_of(distances[row], truth[row]));
   return base64_of(std::span<const float>(errors));
 }
 
-/// The distances at the vertices from a source that no search starts from.
-std::vector<float> without_search(const NamedPoint& source, std::size_t vertices) {
-  const bool isolated = source.place.state == Place::State::isolated;
-  std::vector<float> values(vertices, isolated ? std::numeric_limits<float>::infinity() : not_computed);
-  if (isolated) values[source.place.vertex] = static_cast<float>(source.start);
-  return values;
+/// The distances of the vertices from a source along the surface, its start distance added; `found`: what a search
+/// says, not needed for a source that lies on no surface.
+std::vector<float> at_vertices(const SurfaceMesh& mesh, const NamedPoint& source, std::span<const double> found) {
+  std::vector<float> distances;
+  for (Index v = 0; v < mesh.vertex_count(); ++v)
+    distances.push_back(static_cast<float>(
+        surface_distance(source.place, place_of_vertex(mesh, v), [&] { return found[v]; }) + source.start));
+  return distances;
 }
 
 }  // namespace
@@ -89,7 +93,7 @@ Json ComparisonView::paths_json(const ComparedSurface& on, const Measurement& me
   Json json = Json::array();
   const std::vector<double>& row = measured.rows[source];
   for (const std::size_t target : targets_of_paths(row, paths_, seed_ + source)) {
-    const Place& place = on.targets.queries()[target].place;
+    const Place& place = on.targets.named()[target].place;
     if (place.state != Place::State::on_surface) continue;
     const PathResult path = trace_path(measured.solver, map, place.at, *on.surface->mesh);
     json.push_back({{"target", target},
@@ -102,20 +106,20 @@ Json ComparisonView::paths_json(const ComparedSurface& on, const Measurement& me
 
 Json ComparisonView::source_json(const ComparedSurface& on, const Measurement& measured, std::size_t source,
                                  Search& search, RunContext& context) const {
-  const std::size_t vertices = on.surface->mesh->vertex_count();
-  const NamedPoint& query = on.sources[source];
-  std::vector<float> distances = without_search(query, vertices);
+  const SurfaceMesh& mesh = *on.surface->mesh;
+  const Place& place = on.sources[source].place;
+  std::span<const double> found;
   Json traced = Json::array();
-  if (query.place.state == Place::State::on_surface) {
+  if (place.state == Place::State::on_surface) {
     const bool has_paths = paths_ > 0 && measured.solver.provides(Provides::paths);
-    const Source from{query.place.at, 0};
+    const Source from{place.at, 0};
     const ShortestPathMap& map =
         run_search(measured.solver, search, {&from, 1},
                    {.targets = on.targets.points(), .keep = has_paths ? Keep::map : Keep::targets}, context);
-    const auto values = cross_boundary(measured.solver.plugin.info, [&] { return map.vertices(); });
-    for (std::size_t v = 0; v < vertices; ++v) distances[v] = static_cast<float>(values[v] + query.start);
+    found = cross_boundary(measured.solver.plugin.info, [&] { return map.vertices(); });
     if (has_paths) traced = paths_json(on, measured, source, map);
   }
+  const std::vector<float> distances = at_vertices(mesh, on.sources[source], found);
   return {{"distances", base64_of(std::span<const float>(distances))}, {"paths", std::move(traced)}};
 }
 

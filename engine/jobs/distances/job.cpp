@@ -8,7 +8,9 @@
 #include "engine/jobs/distances/report.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
+#include "engine/search/distances.hpp"
 #include "engine/search/projection_rule.hpp"
+#include "engine/surface/selection.hpp"
 #include "geodrome/engine/version.hpp"
 
 namespace geodrome {
@@ -59,7 +61,7 @@ void check_arguments(const DistanceJob& job) {
     throw OptionError("the nearest source is sought on one surface for all sources, the rule " +
                           std::string(name(job.query)) + " has one for each of them",
                       remedies::default_rule());
-  if (!(job.max_distance >= 0)) throw OptionError("the largest distance must be a number >= 0");
+  check_limit(job.max_distance);
   if (!(job.audit_share >= 0 && job.audit_share <= 1)) throw OptionError("the audit's share must be from 0 to 1");
   if (job.resume && job.matrix.empty()) throw OptionError("there is no matrix to resume", remedies::matrix_output());
   check_ending(job.matrix, Content::matrix);
@@ -71,37 +73,58 @@ void check_arguments(const DistanceJob& job) {
   check_outputs(outputs, files_read(job.input, job.settings.read, selections));
 }
 
+/// What the solver must provide whatever the surface.
+Provides demands_of(const DistanceJob& job, const Selection& sources) {
+  Provides demands = Provides::nothing;
+  if (std::isfinite(job.max_distance)) demands |= Provides::radius_limit;
+  if (!job.nearest.empty() && sources.has_starts()) demands |= Provides::start_distances;
+  return demands;
+}
+
+/// Everything that is searched.
+void search(RunRecord& record, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
+            Observer& observer) {
+  const DistanceJob& job = record.job;
+  const PreparedSolver& solver = record.solver;
+  const TargetList& targets = surfaces.targets();
+  const std::uint64_t seed = job.settings.seed;
+  if (!job.nearest.empty()) {
+    StageContext context("nearest", observer, 1, seed);
+    const Stopwatch watch;
+    std::vector<Distance> nearest = nearest_distances(solver, sources, targets, job.max_distance, context);
+    record.nearest = nearest_result(std::move(nearest), watch.seconds());
+  }
+  if (!job.matrix.empty())
+    record.matrix = compute_matrix(job, solver, surfaces, sources,
+                                   fingerprint(job, record.start.opened, solver, sources, targets.named()), observer);
+  StageContext context("audit", observer, 1, seed);
+  record.audit = audit_sources(solver, surfaces, sources, job.audit_share, seed, context);
+}
+
 }  // namespace
 
 JobReport run_distances(const DistanceJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
+  const Selection from = parse_selection(job.sources), to = parse_selection(job.targets);
   const PluginHost host(job.settings.plugin_path);
-  const Opened opened = try_open(job.input, host, job.settings, observer);
-  if (opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, opened) + "\n");
-  throw_if_refused(opened, job.settings, observer);
-  const std::vector<NamedPoint> sources = select(job.sources, opened.input, opened.surface);
+  SolverPlugin plugin = load_solver(host, job.settings.stages.solver, demands_of(job, from));
+  const JobStart start = start_job(job.input, host, job.settings, plugin.factor, observer);
+  const Opened& opened = start.opened;
+  if (opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, start) + "\n");
+  throw_if_refused(start, observer);
+  const std::vector<NamedPoint> sources = resolve(from, opened.input, opened.surface);
   check_rule(job.query, opened, sources);
-  const SourceSurfaces surfaces(job.query, opened, select(job.targets, opened.input, opened.surface));
+  const SourceSurfaces surfaces(job.query, opened, resolve(to, opened.input, opened.surface));
   const TargetList& targets = surfaces.targets();
-  const PreparedSolver solver =
-      prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
-  const bool are_vertices = job.query != ProjectionRule::project;
-  check_provides(solver, are_vertices ? std::span<const NamedPoint>{} : sources, targets.queries(), job.max_distance);
+  const PreparedSolver solver = prepare_solver(std::move(plugin), opened.surface.mesh, host, job.settings, observer);
+  check_provides(solver.plugin.info, job.query, sources, targets.named(), job.max_distance);
 
-  RunRecord record{job, opened, solver, sources.size(), targets.queries().size()};
-  if (!job.nearest.empty()) {
-    StageContext context("nearest", observer, 1, job.settings.seed);
-    record.nearest = find_nearest(solver, sources, targets, job.max_distance, context);
-  }
-  if (!job.matrix.empty())
-    record.matrix = compute_matrix(job, solver, surfaces, sources,
-                                   fingerprint(job, opened, solver, sources, targets.queries()), observer);
-  StageContext context("audit", observer, 1, job.settings.seed);
-  record.audit = audit_sources(solver, surfaces, sources, job.audit_share, job.settings.seed, context);
+  RunRecord record{job, start, solver, sources.size(), targets.size()};
+  search(record, surfaces, sources, observer);
   record.total_seconds = total.seconds();
 
-  if (record.nearest) write_atomically(job.nearest, record.nearest->csv);
+  if (record.nearest) write_atomically(job.nearest, as_csv(*record.nearest, sources, targets.named()));
   if (!job.surface.empty()) write_mesh(job.surface, *opened.surface.mesh);
   JobReport report = write_report(record);
   if (!job.report.empty()) write_atomically(job.report, report.json + "\n");

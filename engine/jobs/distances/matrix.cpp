@@ -2,15 +2,12 @@
 #include "engine/jobs/distances/matrix.hpp"
 
 #include <algorithm>
-#include <array>
-#include <atomic>
 #include <cstdio>
 
 #include "engine/checks/matrix_view.hpp"
 #include "engine/formats/remedies.hpp"
-#include "engine/host/stage_context.hpp"
-#include "engine/search/counter_sum.hpp"
 #include "engine/search/parallel_rows.hpp"
+#include "engine/search/rows.hpp"
 #include "engine/surface/face_weight.hpp"
 
 namespace geodrome {
@@ -38,65 +35,6 @@ std::string time_text(double seconds) {
   return seconds < 7200 ? printed("about %.0f min", seconds / 60) : printed("about %.1f h", seconds / 3600);
 }
 
-/// The computation of single rows, the same for the first and for all others.
-class RowMaker {
- public:
-  RowMaker(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
-           std::span<const NamedPoint> sources, Observer& observer)
-      : job_(job),
-        solver_(solver),
-        surfaces_(surfaces),
-        sources_(sources),
-        quiet_(observer),
-        context_(ShortestPathSolver::stage, quiet_, 1, job.settings.seed) {}
-
-  /// `search`: on the reconstruction.
-  void make(Search& search, std::uint64_t i, std::span<double> row) {
-    const SourceSurface on = surfaces_.of(sources_[i]);
-    if (sources_[i].place.state == Place::State::on_surface) ++insertions_[static_cast<std::size_t>(on.how)];
-    if (on.mesh == surfaces_.reconstruction()) return measure(solver_, search, on, row);
-    const PreparedSolver own = prepared_on(solver_, on.mesh, context_);
-    measure(own, *make_search(own), on, row);
-  }
-
-  std::map<std::string, std::uint64_t> counters() const { return counters_.sums(); }
-
-  std::map<std::string, std::uint64_t> insertions() const {
-    if (surfaces_.rule() == ProjectionRule::project) return {};
-    constexpr const char* names[] = {"existing", "cavity", "partial", "extended"};  // as Insertion
-    std::map<std::string, std::uint64_t> counts;
-    for (std::size_t how = 0; how < insertions_.size(); ++how) counts[names[how]] = insertions_[how];
-    return counts;
-  }
-
- private:
-  void measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row) {
-    const auto counters = distance_row(solver, search, on.source, *on.targets, job_.max_distance, context_, row);
-    if (!counters.empty()) counters_.add(solver_, counters);
-  }
-
-  /// Progress is told per row, not within one.
-  class WithoutProgress final : public Observer {
-   public:
-    explicit WithoutProgress(Observer& observer) : observer_(observer) {}
-    void log(LogLevel level, std::string_view message) override { observer_.log(level, message); }
-    std::string words(const Remedy& remedy) const override { return observer_.words(remedy); }
-    bool cancelled() const noexcept override { return observer_.cancelled(); }
-
-   private:
-    Observer& observer_;
-  };
-
-  const DistanceJob& job_;
-  const PreparedSolver& solver_;
-  const SourceSurfaces& surfaces_;
-  std::span<const NamedPoint> sources_;
-  WithoutProgress quiet_;
-  StageContext context_;
-  CounterSum counters_;
-  std::array<std::atomic<std::uint64_t>, 4> insertions_{};
-};
-
 void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t missing, double row_seconds,
                unsigned threads, Observer& observer) {
   const double seconds = row_seconds * static_cast<double>(missing) / threads;
@@ -107,22 +45,10 @@ void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t 
                                    std::to_string(threads) + (threads == 1 ? " thread" : " threads"));
 }
 
-/// Computes the rows of the set that the sink has not.
-void compute_rows(const RowSet& rows, RowSink& sink, RowMaker& maker, const PreparedSolver& solver, std::size_t columns,
-                  unsigned threads, std::uint64_t seed, Observer& observer) {
-  StageContext context("distances", observer, threads, seed);
-  const auto make_filler = [&]() -> RowFiller {
-    return [&maker, search = std::shared_ptr(make_search(solver))](std::uint64_t i, std::span<double> row) {
-      maker.make(*search, i, row);
-    };
-  };
-  fill_rows(rows, sink, columns, threads, make_filler, context);
-}
-
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
                             const MatrixFile& file, std::span<const NamedPoint> sources, const TargetList& targets) {
   const auto read = [&](std::uint64_t row) { return file.read(row); };
-  return check_invariants(sources, targets.queries(), read,
+  return check_invariants(sources, targets.named(), read,
                           {.factor = solver.plugin.factor,
                            .one_surface = job.query == ProjectionRule::project,
                            .bounded = job.query != ProjectionRule::printed &&
@@ -138,7 +64,7 @@ ReachCounts count_reaches(const DistanceJob& job, const SourceSurfaces& surfaces
                           std::span<const NamedPoint> sources) {
   const SurfaceMesh& mesh = *surfaces.reconstruction();
   const std::vector<Index> of_source = components_of(mesh, sources),
-                           of_target = components_of(mesh, surfaces.targets().queries());
+                           of_target = components_of(mesh, surfaces.targets().named());
   // An insertion leaves the components as they are, but beside it a target's closest point may change to another one.
   const std::vector<Index> all = vertex_components(mesh);
   const bool may_change =
@@ -151,8 +77,8 @@ ReachCounts count_reaches(const DistanceJob& job, const SourceSurfaces& surfaces
       continue;
     }
     const SourceSurface on = surfaces.of(sources[i]);
-    count_reach(file.read(i), components_of(*on.mesh, {&on.source, 1})[0],
-                components_of(*on.mesh, on.targets->queries()), limited, counts);
+    count_reach(file.read(i), components_of(*on.mesh, {&on.source, 1})[0], components_of(*on.mesh, on.targets->named()),
+                limited, counts);
   }
   return counts;
 }
@@ -161,11 +87,11 @@ ReachCounts count_reaches(const DistanceJob& job, const SourceSurfaces& surfaces
 
 MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
                             std::span<const NamedPoint> sources, const std::string& fingerprint, Observer& observer) {
-  const std::span<const NamedPoint> targets = surfaces.targets().queries();
+  const std::span<const NamedPoint> targets = surfaces.targets().named();
   const MatrixFile::Spec spec{job.matrix, sources.size(), targets.size(), job.scalar, fingerprint};
   const unsigned threads = thread_count(job.settings);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = MatrixFile::bytes(spec)};
-  RowMaker maker(job, solver, surfaces, sources, observer);
+  RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer);
 
   const Stopwatch first;
   std::vector<double> row(spec.columns);
@@ -183,7 +109,8 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
 
   const Stopwatch watch;
   try {
-    compute_rows(rows, file, maker, solver, spec.columns, threads, job.settings.seed, observer);
+    StageContext context("distances", observer, threads, job.settings.seed);
+    compute_rows(rows, maker, file, threads, context);
   } catch (const Cancelled&) {
     observer.log(LogLevel::info, job.matrix.string() + ".partial holds " + std::to_string(file.rows_done()) + " of " +
                                      std::to_string(spec.rows) + " rows; " + observer.words(remedies::go_on()));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "engine/formats/text.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/search/projection_rule.hpp"
 
@@ -70,7 +71,7 @@ Json to_json(const AuditSummary& audit) {
 /// wavefront that is lost, or a path that is not shortest, shows by far more.
 constexpr double audit_tolerance = 1e-9;
 
-bool is_weighted(const RunRecord& record) { return !record.opened.input.weights.empty(); }
+bool is_weighted(const RunRecord& record) { return !record.start.input().weights.empty(); }
 
 /// What the checks found that may not be, one line each.
 std::vector<std::string> broken_promises(const RunRecord& record) {
@@ -112,12 +113,6 @@ Json run_json(const RunRecord& record) {
   return json;
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 /// The invariants that rule and solver promise, and those that they do not.
 std::string promised_by(const RunRecord& record) {
   const Invariants& i = record.matrix->invariants;
@@ -147,7 +142,7 @@ void summarize_matrix(const RunRecord& record, std::ostream& out) {
 
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
   out.precision(4);
-  summarize_provenance(record.opened.input, surface, record.solver, out);
+  summarize_provenance(record.start.input(), surface, record.solver, out);
   if (record.matrix) summarize_matrix(record, out);
   if (record.nearest)
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
@@ -165,8 +160,8 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Sampl
 }  // namespace
 
 JobReport write_report(const RunRecord& record) {
-  const Opened& opened = record.opened;
-  const auto sample = sample_report_of(opened, record.solver.plugin.factor, record.job.settings.seed);
+  const Opened& opened = record.start.opened;
+  const std::optional<SampleReport>& sample = record.start.sample;
   const SurfaceFacts facts = sample ? *sample->surface : facts_of(*opened.surface.mesh);
   Json json{{"geodrome", run_json(record)}};
   add_provenance(json, opened, sample, facts, record.solver);
@@ -185,8 +180,8 @@ JobReport write_report(const RunRecord& record) {
   return {text_of(json), summary.str(), broken};
 }
 
-std::string refusal_report(const DistanceJob& job, const Opened& opened) {
-  return refusal_report(settings_of(job), opened, job.settings.seed);
+std::string refusal_report(const DistanceJob& job, const JobStart& start) {
+  return refusal_report(settings_of(job), start.opened, *start.sample);
 }
 
 }  // namespace geodrome

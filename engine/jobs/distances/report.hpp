@@ -3,10 +3,10 @@
 
 #include <optional>
 
-#include "engine/jobs/distances/matrix.hpp"
-#include "engine/search/nearest.hpp"
-#include "engine/surface/opened.hpp"
 #include "engine/checks/surface_audit.hpp"
+#include "engine/jobs/distances/matrix.hpp"
+#include "engine/jobs/distances/nearest.hpp"
+#include "engine/jobs/start.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -14,7 +14,7 @@ namespace geodrome {
 /// All that a distance job learned, from which its report is written.
 struct RunRecord {
   const DistanceJob& job;
-  const Opened& opened;
+  const JobStart& start;
   const PreparedSolver& solver;
   std::size_t source_count = 0, target_count = 0;
   std::optional<MatrixResult> matrix;
@@ -27,6 +27,6 @@ struct RunRecord {
 JobReport write_report(const RunRecord& record);
 
 /// The report of a job whose sample was refused, as JSON: what is known up to there.
-std::string refusal_report(const DistanceJob& job, const Opened& opened);
+std::string refusal_report(const DistanceJob& job, const JobStart& start);
 
 }  // namespace geodrome

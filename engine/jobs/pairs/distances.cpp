@@ -7,32 +7,18 @@
 
 #include "engine/checks/invariants.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/search/distances.hpp"
 #include "engine/search/parallel_rows.hpp"
 
 namespace geodrome {
 
 namespace {
 
-constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
-
 /// Pairs that a thread takes at once: a query may take less time than taking it.
 constexpr std::size_t block = 256;
 
 bool on_surface(const NamedPair& pair) {
   return pair.from.place.state == Place::State::on_surface && pair.to.place.state == Place::State::on_surface;
-}
-
-/// The surface distance; `number` of the pair from 0. To be called inside `cross_boundary`.
-double surface_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number) {
-  const Place &from = pair.from.place, &to = pair.to.place;
-  if (from.state == Place::State::dropped || to.state == Place::State::dropped) return not_computed;
-  // A vertex that no face uses is reached only by itself.
-  if (!on_surface(pair)) return from.state == to.state && from.vertex == to.vertex ? 0 : infinity;
-  const double value = oracle.distance(from.at, to.at);
-  if (value >= 0) return value;
-  throw NumericalError("computed " + std::to_string(value) + " as the distance of pair " + std::to_string(number) +
-                           " (" + pair.from.label + ", " + pair.to.label + ")",
-                       "choose another solver, and report this to the author of the plugin");
 }
 
 void ask(const PreparedSolver& solver, const PairOracle& oracle, std::span<const NamedPair> pairs, unsigned threads,
@@ -45,7 +31,7 @@ void ask(const PreparedSolver& solver, const PairOracle& oracle, std::span<const
   const auto answer = [&](std::uint64_t number) {
     const std::size_t begin = number * block, end = std::min(begin + block, pairs.size());
     cross_boundary(solver.plugin.info, [&] {
-      for (std::size_t i = begin; i < end; ++i) result.values[i] = surface_distance(oracle, pairs[i], i);
+      for (std::size_t i = begin; i < end; ++i) result.values[i] = pair_distance(oracle, pairs[i], i);
     });
     context.progress(static_cast<double>(++done) / static_cast<double>(blocks));
   };
@@ -80,7 +66,21 @@ void check(const SurfaceMesh& mesh, bool never_below, std::span<const NamedPair>
   }
 }
 
+/// Turns distances along the surface into those of the rule.
+void apply_rule(const PlacedSurface& surface, std::span<const NamedPair> pairs, std::span<double> values) {
+  const DistanceRule rule{surface.made_from == InputKind::points};
+  for (std::size_t i = 0; i < pairs.size(); ++i) values[i] = rule(values[i], pairs[i].from, pairs[i].to);
+}
+
 }  // namespace
+
+std::vector<double> ask_pairs(const PlacedSurface& surface, const PreparedSolver& solver, const PairOracle& oracle,
+                              std::span<const NamedPair> pairs, unsigned threads, RunContext& context) {
+  PairDistances result;
+  ask(solver, oracle, pairs, threads, context, result);
+  apply_rule(surface, pairs, result.values);
+  return std::move(result.values);
+}
 
 PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver& solver, const PairOracle& oracle,
                              std::span<const NamedPair> pairs, unsigned threads, RunContext& context) {
@@ -88,12 +88,7 @@ PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver&
   ask(solver, oracle, pairs, threads, context, result);
   check(*surface.mesh, solver.provides(Provides::never_shorter), pairs, result);
   result.audit = audit_pairs(*surface.mesh, solver, pairs, result.values, context);
-  if (surface.made_from == InputKind::points)
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      double& value = result.values[i];
-      if (!std::isnan(value))
-        value = std::max(value, distance(pairs[i].from.place.position, pairs[i].to.place.position));
-    }
+  apply_rule(surface, pairs, result.values);
   return result;
 }
 

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "engine/search/reach.hpp"
 #include "engine/checks/pair_audit.hpp"
+#include "engine/search/reach.hpp"
 #include "geodrome/engine/named_points.hpp"
 
 namespace geodrome {
@@ -29,10 +29,14 @@ struct PairDistances {
   }
 };
 
-/// Asks `oracle`, which `solver` made of the surface, for all pairs, over at most `threads` threads; the values are the
-/// same bytes for any number. Of a cloud D = max(surface distance, |st|), as everywhere. The checks are made on surface
-/// distances, with the tolerance of `check_invariants`, and a few pairs are searched for anew. Throws NumericalError,
-/// naming pair and plugin, for what is no number >= 0, Cancelled, and what the plugin throws.
+/// The distances of pairs by `oracle`, which `solver` made of the surface, over at most `threads` threads; the values
+/// are the same bytes for any number. Throws NumericalError, naming pair and plugin, for what is no number >= 0,
+/// Cancelled, and what the plugin throws.
+std::vector<double> ask_pairs(const PlacedSurface& surface, const PreparedSolver& solver, const PairOracle& oracle,
+                              std::span<const NamedPair> pairs, unsigned threads, RunContext& context);
+
+/// Asks `oracle`, which `solver` made of the surface, for all pairs, as `ask_pairs`, and checks the answers: on surface
+/// distances, with the tolerance of `check_invariants`; a few pairs are searched for anew. Throws as `ask_pairs`.
 PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver& solver, const PairOracle& oracle,
                              std::span<const NamedPair> pairs, unsigned threads, RunContext& context);
 

@@ -36,12 +36,8 @@ void save(ReadyOracle& ready, const PreparedSolver& solver, const std::filesyste
 
 void demand_pair_queries(const PluginInfo& solver, const PluginHost& host) {
   if (has(solver.provides, Provides::pair_queries)) return;
-  std::string able;
-  for (const PluginInfo& plugin : host.list().usable)
-    if (plugin.stage == ShortestPathSolver::stage && has(plugin.provides, Provides::pair_queries))
-      able += (able.empty() ? "" : ", ") + plugin.name;
   throw CapabilityError(solver.full_name() + " does not provide distances of arbitrary pairs (pair_queries)",
-                        remedies::solver_of_pairs(able));
+                        remedies::solver_of_pairs(solvers_with(Provides::pair_queries, host)));
 }
 
 ReadyOracle ready_oracle(const SurfaceMesh& mesh, const PreparedSolver& solver, const std::filesystem::path& index,

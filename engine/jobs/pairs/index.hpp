@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "geodrome/engine/pipeline.hpp"
+#include "engine/search/prepared_solver.hpp"
 
 namespace geodrome {
 

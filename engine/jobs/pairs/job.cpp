@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
+#include <utility>
 
 #include "engine/formats/ending.hpp"
 #include "engine/formats/npy.hpp"
@@ -9,6 +10,7 @@
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/pairs/report.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/surface/selection.hpp"
 
 namespace geodrome {
 
@@ -26,17 +28,13 @@ void check_arguments(const PairJob& job) {
   check_outputs(written, read);
 }
 
-const char* reach_word(double value) {
-  if (std::isnan(value)) return "dropped";
-  return std::isinf(value) ? "unreachable" : "reached";
-}
-
 std::string as_csv(std::span<const NamedPair> pairs, std::span<const double> values) {
   std::string text = "pair,from,to,distance,reach\n";
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     text += std::to_string(i) + "," + pairs[i].from.label + "," + pairs[i].to.label + ",";
     text += std::isnan(values[i]) ? "nan" : number_text(values[i]);  // without the sign of a NaN
-    text += std::string(",") + reach_word(values[i]) + "\n";
+    text +=
+        std::string(",") + reach_word(values[i], std::isinf(values[i]) ? Reach::unreachable : Reach::reached) + "\n";
   }
   return text;
 }
@@ -52,22 +50,23 @@ std::string as_npy(std::span<const double> values) {
 JobReport run_pairs(const PairJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
+  PairSelection selection = parse_pairs(job.pairs);
   const PluginHost host(job.settings.plugin_path);
-  // Loaded again below, from the registry: what cannot be done is told before a surface is made.
-  demand_pair_queries(host.load<ShortestPathSolver>(job.settings.stages.solver).info, host);
-  const Opened opened = try_open(job.input, host, job.settings, observer);
-  if (opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, opened) + "\n");
-  throw_if_refused(opened, job.settings, observer);
-  const PairList list = select_pairs(job.pairs, opened.input, opened.surface);
-  const PreparedSolver solver =
-      prepare_solver(opened.surface.mesh, host, job.settings.stages.solver, job.settings, observer);
-  const ReadyOracle oracle = ready_oracle(*opened.surface.mesh, solver, job.index, job.settings, observer);
+  SolverPlugin plugin = load_solver(host, job.settings.stages.solver);
+  demand_pair_queries(plugin.info, host);
+  const JobStart start = start_job(job.input, host, job.settings, plugin.factor, observer);
+  if (start.opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, start) + "\n");
+  throw_if_refused(start, observer);
+  const PlacedSurface& surface = start.surface();
+  const PairList list = resolve(std::exchange(selection, {}), start.input(), surface);
+  const PreparedSolver solver = prepare_solver(std::move(plugin), surface.mesh, host, job.settings, observer);
+  const ReadyOracle oracle = ready_oracle(*surface.mesh, solver, job.index, job.settings, observer);
   const unsigned threads = thread_count(job.settings);
   StageContext context("queries", observer, threads, job.settings.seed);
-  const PairDistances distances = pair_distances(opened.surface, solver, *oracle.oracle, list.pairs, threads, context);
+  const PairDistances distances = pair_distances(surface, solver, *oracle.oracle, list.pairs, threads, context);
   const bool csv = has_ending(job.out, ".csv");
   write_atomically(job.out, csv ? as_csv(list.pairs, distances.values) : as_npy(distances.values));
-  const JobReport report = write_report({job, opened, solver, list, oracle, distances, total.seconds()});
+  const JobReport report = write_report({job, start, solver, list, oracle, distances, total.seconds()});
   if (!job.report.empty()) write_atomically(job.report, report.json + "\n");
   return report;
 }

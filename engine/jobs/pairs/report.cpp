@@ -83,7 +83,7 @@ void summarize_pairs(const PairJob& job, const PairDistances& d, std::ostream& o
 std::string summary_of(const PairRecord& record, const SurfaceFacts& surface, const SampleReport* sample) {
   std::ostringstream out;
   out.precision(4);
-  summarize_provenance(record.opened.input, surface, record.solver, out);
+  summarize_provenance(record.start.input(), surface, record.solver, out);
   summarize_oracle(record.job, record.oracle, out);
   summarize_pairs(record.job, record.distances, out);
   if (sample) print_short(*sample, out);
@@ -93,8 +93,8 @@ std::string summary_of(const PairRecord& record, const SurfaceFacts& surface, co
 }  // namespace
 
 JobReport write_report(const PairRecord& record) {
-  const Opened& opened = record.opened;
-  const auto sample = sample_report_of(opened, record.solver.plugin.factor, record.job.settings.seed);
+  const Opened& opened = record.start.opened;
+  const std::optional<SampleReport>& sample = record.start.sample;
   const SurfaceFacts facts = sample ? *sample->surface : facts_of(*opened.surface.mesh);
   Json json{{"geodrome", settings_json(record.job.settings)}};
   json["geodrome"]["output"] = record.job.out.string();
@@ -114,8 +114,8 @@ JobReport write_report(const PairRecord& record) {
   return {text_of(json), summary_of(record, facts, sample ? &*sample : nullptr), broken};
 }
 
-std::string refusal_report(const PairJob& job, const Opened& opened) {
-  return refusal_report(settings_json(job.settings), opened, job.settings.seed);
+std::string refusal_report(const PairJob& job, const JobStart& start) {
+  return refusal_report(settings_json(job.settings), start.opened, *start.sample);
 }
 
 }  // namespace geodrome

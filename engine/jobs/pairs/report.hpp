@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "engine/surface/opened.hpp"
 #include "engine/jobs/pairs/distances.hpp"
 #include "engine/jobs/pairs/index.hpp"
+#include "engine/jobs/start.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -13,7 +13,7 @@ namespace geodrome {
 /// All that a job of pair queries learned, from which its report is written.
 struct PairRecord {
   const PairJob& job;
-  const Opened& opened;
+  const JobStart& start;
   const PreparedSolver& solver;
   const PairList& list;
   const ReadyOracle& oracle;
@@ -25,6 +25,6 @@ struct PairRecord {
 JobReport write_report(const PairRecord& record);
 
 /// The report of a job whose sample was refused, as JSON: what is known up to there.
-std::string refusal_report(const PairJob& job, const Opened& opened);
+std::string refusal_report(const PairJob& job, const JobStart& start);
 
 }  // namespace geodrome

@@ -17,7 +17,6 @@ namespace geodrome::conformance {
 
 using namespace shapes::small;
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double rounding = 1e-12;  ///< relative to the largest distance: what "exact" means in this project
 
 using SolverPlugin = Plugin<ShortestPathSolver>;

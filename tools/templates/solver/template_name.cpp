@@ -8,8 +8,6 @@ using namespace geodrome;
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 /// Immutable, shared by all threads: whatever is computed once per mesh belongs here.
 struct Graph {
   explicit Graph(MeshPtr surface) : mesh(std::move(surface)), neighbours(mesh->vertex_count()) {

@@ -87,20 +87,6 @@ PlacedSurface make_surface(const Input& input, const PluginHost& host, const Run
 /// As `make_surface`, but a SampleError is returned with what was learned, for the sample report.
 SurfaceAttempt try_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
 
-/// Stage 5 made ready: the solver's plugin with the surface prepared.
-struct PreparedSolver {
-  Plugin<ShortestPathSolver> plugin;
-  std::shared_ptr<const PreparedSurface> prepared;
-  StageRecord record;
-
-  bool provides(Provides bit) const { return has(plugin.info.provides, bit); }
-};
-
-/// Loads `selection` and prepares `mesh`. Throws CapabilityError, naming what is missing, if the mesh lacks what the
-/// solver needs, or has weights that the solver does not provide.
-PreparedSolver prepare_solver(MeshPtr mesh, const PluginHost& host, const std::string& selection,
-                              const RunSettings& settings, Observer& observer);
-
 /// The number of threads that `settings` asks for.
 unsigned thread_count(const RunSettings& settings);
 

@@ -58,9 +58,9 @@ TEST(RefinedSurface, HasTheSamePlaces) {
   surface->mesh = octahedron();
   const SurfacePoint inside{3, {0.5, 0.25, 0.25}}, middle{0, {0.5, 0.5, 0}};
   const NamedPoint vertex = query({Place::State::on_surface, surface->mesh->at_vertex(4), 4, {0, 0, 1}}),
-              in_face = query({Place::State::on_surface, inside, no_index, surface->mesh->position(inside)}),
-              on_edge = query({Place::State::on_surface, middle, no_index, surface->mesh->position(middle)}),
-              dropped = query({});
+                   in_face = query({Place::State::on_surface, inside, no_index, surface->mesh->position(inside)}),
+                   on_edge = query({Place::State::on_surface, middle, no_index, surface->mesh->position(middle)}),
+                   dropped = query({});
   const ComparedSurface coarse{surface, {vertex, in_face, on_edge, dropped}, TargetList({vertex, dropped}, *surface)};
   const auto fine = refined(coarse);
   const SurfaceMesh& mesh = *fine->surface->mesh;
@@ -71,7 +71,7 @@ TEST(RefinedSurface, HasTheSamePlaces) {
   EXPECT_EQ(fine->sources[1].place.vertex, no_index);
   EXPECT_GE(fine->sources[2].place.vertex, 6u) << "the middle of an edge became a vertex";
   EXPECT_EQ(fine->sources[3].place.state, Place::State::dropped);
-  EXPECT_EQ(mesh.vertex_at(fine->targets.queries()[0].place.at), 4u);
+  EXPECT_EQ(mesh.vertex_at(fine->targets.named()[0].place.at), 4u);
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <limits>
+#include <vector>
+
+#include "geodrome/surface.hpp"
+
+namespace geodrome {
+
+/// How a place off the surface is treated (Section 2.4, Algorithm 2).
+///
+/// `project`: its closest surface point, D = max(surface distance, |st|); one surface, so D is symmetric and keeps the
+/// triangle inequality up to the bound. `insert`: the paper's S_conf + s_src: each source becomes a vertex of a surface
+/// of its own, targets are its closest points, D as above; better for near pairs and coarse samples, not symmetric.
+/// `printed`: the same surfaces, targets by lines 12 to 19 as printed, D unbounded below; for comparison only: it is 0
+/// where a target's nearest vertex is the source. The last two need a point sample and rows of it as sources.
+enum class ProjectionRule { project, insert, printed };
+
+/// What is asked of distances from sources to targets.
+struct DistanceOptions {
+  double max_distance = infinity;  ///< farther is +inf
+  ProjectionRule rule = ProjectionRule::project;
+};
+
+/// A polyline of surface points from `from` to `to`; empty if unreachable, then `distance` is +inf, and if both are the
+/// same vertex on no face, then it is 0. Faces are those of the surface; under `insert` of the one with `from` as a
+/// vertex, on which faces that stayed should have kept their index.
+struct PathResult {
+  double distance = 0;  ///< max(surface distance, |st|) for a cloud
+  double length = 0;    ///< of the polyline, weighted by the faces that it crosses if they have weights
+  std::vector<SurfacePoint> points;
+  std::vector<Vec3> positions;
+};
+
+}  // namespace geodrome

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geodrome/engine/distances.hpp"
+#include "geodrome/engine/input.hpp"
+#include "geodrome/engine/jobs.hpp"
+#include "geodrome/engine/named_points.hpp"
+#include "geodrome/engine/observer.hpp"
+#include "geodrome/engine/pipeline.hpp"
+#include "geodrome/engine/row_set.hpp"
+#include "geodrome/engine/row_sink.hpp"
+#include "geodrome/engine/surface_report.hpp"
+
+namespace geodrome {
+
+/// An observer that hears nothing and never cancels; of the whole process.
+Observer& silent_observer() noexcept;
+
+/// An input with its surface, and distances on it in memory: what the jobs do, without their files. Units are those of
+/// the input, indices count from 0, distances are +inf for unreachable and beyond the limit, NaN for a dropped row.
+///
+/// The surface is made at once, the solver prepares it with the first question and stays prepared. Every const member
+/// may be called from several threads at once; each uses `RunSettings::threads` threads where it says so, and no
+/// result depends on their number. All members throw Cancelled once the observer says so, and what plugins throw.
+class Session {
+ public:
+  /// From a file. Mistakes are told before the surface is made: OptionError for plugins or options that do not exist,
+  /// CapabilityError for a solver that lacks one of `demands`, InputError as `read_input`. Then SampleError for a
+  /// sample that a stage refuses. `observer` must outlive the session.
+  explicit Session(const std::filesystem::path& file, RunSettings settings = {}, Observer& observer = silent_observer(),
+                   Provides demands = Provides::nothing);
+
+  /// From memory: see `make_input`. `settings.read` is not used. Throws as above.
+  explicit Session(Input input, RunSettings settings = {}, Observer& observer = silent_observer(),
+                   Provides demands = Provides::nothing);
+
+  Session(Session&&) noexcept;
+  Session& operator=(Session&&) noexcept;
+  ~Session();
+
+  const Input& input() const noexcept;
+  const PlacedSurface& surface() const noexcept;
+  /// The solver that was chosen, and its guarantee with the chosen options: distances are at most `factor` times the
+  /// true ones; +inf for none.
+  const PluginInfo& solver() const noexcept;
+  double factor() const noexcept;
+
+  /// O(F log F).
+  SurfaceReport surface_report() const;
+  /// What `run_check` says of the input, and of the sample if it is one.
+  CheckReport check() const;
+
+  /// Points by the text that the function `select` reads: "all", "0,5,9" or "@FILE". Throws as that.
+  std::vector<NamedPoint> select(const std::string& text) const;
+  /// Rows of the input. Throws OptionError for one that is not there.
+  std::vector<NamedPoint> select(std::span<const Index> rows) const;
+  /// Points of the surface's mesh. Throws OptionError for a face that is not there and for barycentric coordinates that
+  /// are negative or do not sum to 1.
+  std::vector<NamedPoint> select(std::span<const SurfacePoint> points) const;
+  /// Points in space: the closest surface points, as `x y z` in a list. Throws OptionError for one that is not finite.
+  std::vector<NamedPoint> select(std::span<const Vec3> positions) const;
+
+  /// Distances from all sources to all targets, a row per source, over threads. Throws CapabilityError for what the
+  /// solver does not provide. Memory: a row per thread.
+  std::vector<double> distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                const DistanceOptions& options = {}) const;
+  /// The same into the caller's memory; throws OptionError unless it has sources.size() x targets.size() entries.
+  void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, std::span<double> out,
+                 const DistanceOptions& options = {}) const;
+  /// The same into a sink: the rows of `rows`, or all, that it does not have; `finish` is called where these were all.
+  void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
+                 const DistanceOptions& options = {}, std::optional<RowSet> rows = std::nullopt) const;
+
+  /// For every target the distance from the nearest source, and the place of that in `sources`: one search on one
+  /// thread. Throws CapabilityError for start distances that the solver does not provide.
+  std::vector<Distance> nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                double max_distance = infinity) const;
+
+  /// A shortest path; one search on one thread. Throws OptionError for `printed`, for a dropped end and for one with a
+  /// start distance, CapabilityError if the solver has no paths.
+  PathResult path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule = ProjectionRule::project) const;
+
+  /// A distance for each pair, over threads, by the oracle of the solver, which is built with the first call and kept.
+  /// Throws CapabilityError if the solver has none.
+  std::vector<double> pairs(std::span<const NamedPair> pairs) const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace geodrome

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "engine/jobs/start.hpp"
+#include "geodrome/engine/jobs.hpp"
+
+namespace geodrome {
+
+/// What the input holds and, if stages 1 to 4 ran, what came of the sample, remedies in the words of the observer.
+CheckReport check_report(const JobStart& start, const Observer& observer);
+
+}  // namespace geodrome

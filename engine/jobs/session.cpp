@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "geodrome/engine/session.hpp"
+
+#include <mutex>
+
+#include "engine/host/stage_context.hpp"
+#include "engine/jobs/check.hpp"
+#include "engine/jobs/pairs/distances.hpp"
+#include "engine/jobs/pairs/index.hpp"
+#include "engine/report/provenance.hpp"
+#include "engine/search/distances.hpp"
+#include "engine/search/projection_rule.hpp"
+#include "engine/search/rows.hpp"
+#include "engine/surface/selection.hpp"
+
+namespace geodrome {
+
+struct Session::Impl {
+  /// `source`: a file or an Input.
+  template <class Source>
+  Impl(Source&& source, RunSettings run_settings, Observer& told, Provides demands)
+      : settings(std::move(run_settings)),
+        observer(told),
+        host(settings.plugin_path),
+        plugin(load_solver(host, settings.stages.solver, demands)),
+        start(start_job(std::forward<Source>(source), host, settings, plugin.factor, observer)) {
+    throw_if_refused(start, observer);
+    tell_sample(start, observer);
+  }
+
+  const PreparedSolver& prepared() {
+    const std::lock_guard lock(preparing);
+    if (!solver.prepared) solver = prepare_solver(plugin, start.surface().mesh, host, settings, observer);
+    return solver;
+  }
+
+  const PairOracle& pair_oracle() {
+    const std::lock_guard lock(building);
+    if (!oracle.oracle) {
+      demand_pair_queries(plugin.info, host);
+      oracle = ready_oracle(*start.surface().mesh, prepared(), {}, settings, observer);
+    }
+    return *oracle.oracle;
+  }
+
+  StageContext context(const char* stage, unsigned threads) {
+    return StageContext(stage, observer, threads, settings.seed);
+  }
+
+  RunSettings settings;
+  Observer& observer;
+  PluginHost host;
+  SolverPlugin plugin;
+  JobStart start;
+  std::mutex preparing, building;  // of what the first question makes; if that throws, the next one tries again
+  PreparedSolver solver;
+  ReadyOracle oracle;
+};
+
+namespace {
+
+void check_end(const NamedPoint& end, const std::string& what) {
+  if (end.start != 0) throw OptionError(what + " has no start distance of its own");
+  if (end.place.state == Place::State::dropped) throw OptionError(what + ": row " + end.label + " was dropped");
+}
+
+}  // namespace
+
+Observer& silent_observer() noexcept {
+  static Observer observer;
+  return observer;
+}
+
+Session::Session(const std::filesystem::path& file, RunSettings settings, Observer& observer, Provides demands)
+    : impl_(std::make_unique<Impl>(file, std::move(settings), observer, demands)) {}
+
+Session::Session(Input input, RunSettings settings, Observer& observer, Provides demands)
+    : impl_(std::make_unique<Impl>(std::move(input), std::move(settings), observer, demands)) {}
+
+Session::Session(Session&&) noexcept = default;
+Session& Session::operator=(Session&&) noexcept = default;
+Session::~Session() = default;
+
+const Input& Session::input() const noexcept { return impl_->start.input(); }
+const PlacedSurface& Session::surface() const noexcept { return impl_->start.surface(); }
+const PluginInfo& Session::solver() const noexcept { return impl_->plugin.info; }
+double Session::factor() const noexcept { return impl_->plugin.factor; }
+
+SurfaceReport Session::surface_report() const {
+  const std::optional<SampleReport>& sample = impl_->start.sample;
+  SurfaceReport report{.facts = sample ? *sample->surface : facts_of(*surface().mesh)};
+  if (sample) {
+    report.practice = word(sample->practice.verdict);
+    report.practice_because = sample->practice.because;
+  }
+  Json json;
+  add_surface(json, impl_->start.opened, sample, report.facts);
+  report.json = text_of(json);
+  return report;
+}
+
+CheckReport Session::check() const { return check_report(impl_->start, impl_->observer); }
+
+std::vector<NamedPoint> Session::select(const std::string& text) const {
+  return resolve(parse_selection(text), input(), surface());
+}
+
+std::vector<NamedPoint> Session::select(std::span<const Index> rows) const {
+  Selection selection;
+  for (const Index row : rows) selection.entries.push_back({.index = row});
+  return resolve(selection, input(), surface());
+}
+
+std::vector<NamedPoint> Session::select(std::span<const SurfacePoint> points) const {
+  std::vector<NamedPoint> named;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    named.push_back(point_on(*surface().mesh, points[i], "points[" + std::to_string(i) + "]"));
+  return named;
+}
+
+std::vector<NamedPoint> Session::select(std::span<const Vec3> positions) const {
+  Selection selection;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec3& p = positions[i];
+    const std::string label = "positions[" + std::to_string(i) + "]";
+    if (!is_finite(p)) throw OptionError(label + " is not finite");
+    selection.entries.push_back({.kind = PointEntry::Kind::position, .numbers = {p.x, p.y, p.z}, .label = label});
+  }
+  return resolve(selection, input(), surface());
+}
+
+std::vector<double> Session::distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                       const DistanceOptions& options) const {
+  std::vector<double> out(sources.size() * targets.size());
+  distances(sources, targets, out, options);
+  return out;
+}
+
+void Session::distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, std::span<double> out,
+                        const DistanceOptions& options) const {
+  if (out.size() != sources.size() * targets.size())
+    throw OptionError("there is room for " + std::to_string(out.size()) + " distances, but there are " +
+                          std::to_string(sources.size()) + " x " + std::to_string(targets.size()),
+                      "give as many entries as there are sources times targets");
+  MatrixInMemory<double> matrix(out, sources.size(), targets.size());
+  distances(sources, targets, matrix, options);
+}
+
+void Session::distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
+                        const DistanceOptions& options, std::optional<RowSet> rows) const {
+  check_limit(options.max_distance);
+  check_rule(options.rule, impl_->start.opened, sources);
+  const SourceSurfaces surfaces(options.rule, impl_->start.opened, {targets.begin(), targets.end()});
+  check_provides(impl_->plugin.info, options.rule, sources, targets, options.max_distance);
+  RowMaker maker(impl_->prepared(), surfaces, sources, options.max_distance, impl_->settings.seed, impl_->observer);
+  const unsigned threads = thread_count(impl_->settings);
+  StageContext context = impl_->context("distances", threads);
+  compute_rows(rows.value_or(RowSet::all(sources.size())), maker, sink, threads, context);
+  if (!rows) sink.finish();
+}
+
+std::vector<Distance> Session::nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                       double max_distance) const {
+  check_limit(max_distance);
+  check_provides(impl_->plugin.info, ProjectionRule::project, sources, targets, max_distance);
+  StageContext context = impl_->context("nearest", 1);
+  return nearest_distances(impl_->prepared(), sources, TargetList({targets.begin(), targets.end()}, surface()),
+                           max_distance, context);
+}
+
+PathResult Session::path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule) const {
+  check_path_rule(rule);
+  check_end(from, "the start of the path"), check_end(to, "the end of the path");
+  check_rule(rule, impl_->start.opened, {&from, 1});
+  demand(impl_->plugin.info, Provides::paths);
+  const SourceSurface on = SourceSurfaces(rule, impl_->start.opened, {to}).of(from);
+  check_provides(impl_->plugin.info, rule, {&on.source, 1}, on.targets->named(), infinity);
+  StageContext context = impl_->context(ShortestPathSolver::stage, 1);
+  if (on.mesh == surface().mesh) return shortest_path(impl_->prepared(), *on.mesh, on.source, *on.targets, context);
+  const PreparedSolver own = prepare_solver(impl_->plugin, on.mesh, impl_->host, impl_->settings, impl_->observer);
+  return shortest_path(own, *on.mesh, on.source, *on.targets, context);
+}
+
+std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {
+  const PairOracle& oracle = impl_->pair_oracle();
+  const unsigned threads = thread_count(impl_->settings);
+  StageContext context = impl_->context("queries", threads);
+  return ask_pairs(surface(), impl_->prepared(), oracle, pairs, threads, context);
+}
+
+}  // namespace geodrome

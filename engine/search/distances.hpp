@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/search/target_list.hpp"
+#include "geodrome/engine/distances.hpp"
+
+/// The one rule of distances, and the four questions that it answers: a row, the nearest source, a pair, a path.
+namespace geodrome {
+
+/// Rows of points that were dropped hold it.
+inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+
+/// False for NaN.
+inline bool is_distance(double value) { return value >= 0; }
+/// Throws NumericalError: a plugin gave `value`, which is no distance, for `whose`, e.g. "target 5".
+[[noreturn]] void throw_no_distance(double value, const std::string& whose);
+
+/// The distance of two places along the surface: NaN if one was dropped; a vertex on no face reaches only itself; else
+/// what `searched()` says, which is called only if both lie on the surface.
+template <class Searched>
+double surface_distance(const Place& from, const Place& to, Searched&& searched) {
+  using State = Place::State;
+  if (from.state == State::dropped || to.state == State::dropped) return not_computed;
+  if (from.state == State::on_surface && to.state == State::on_surface) return searched();
+  return from.state == to.state && from.vertex == to.vertex ? 0 : infinity;
+}
+
+/// D(s, t) = start of s + max(surface distance, |st|), and +inf beyond the limit. The straight line counts where the
+/// surface is an estimate.
+struct DistanceRule {
+  bool bounded = false;  ///< the surface is an estimate: see `TargetList::bounded`
+  double limit = infinity;
+
+  /// `from_start`: the surface distance with the start distance of `s` added; NaN stays NaN.
+  double operator()(double from_start, const NamedPoint& s, const NamedPoint& t) const {
+    const double least = bounded ? distance(s.place.position, t.place.position) : 0;
+    const double d = std::max(from_start, least + s.start);
+    return d > limit ? infinity : d;
+  }
+};
+
+/// Fills one row: the distances of all targets from one source. Returns the search's counters, valid until its next
+/// run; empty if none was needed. Throws what the solver throws, NumericalError for what is no distance.
+std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                      const TargetList& targets, double max_distance, RunContext& context,
+                                      std::span<double> row);
+
+/// One search from all sources: the distance of every target from the source that is nearest, and which that is; NaN
+/// for a target that was dropped. Throws as `distance_row`, CapabilityError if a start distance is wanted that the
+/// solver does not provide.
+std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
+                                        const TargetList& targets, double max_distance, RunContext& context);
+
+/// The distance of a pair along the surface, by an oracle that `solver` made; `number` of the pair, for messages. To be
+/// called inside `cross_boundary`. Throws as `distance_row`.
+double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number);
+
+/// The shortest path on `mesh` from `from`, without its start distance, to the only target. Throws as `distance_row`
+/// and `trace_path`. Precondition: the solver provides paths.
+PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, const NamedPoint& from,
+                         const TargetList& to, RunContext& context);
+
+}  // namespace geodrome

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "engine/search/rows.hpp"
+
+#include "engine/search/distances.hpp"
+#include "engine/search/parallel_rows.hpp"
+
+namespace geodrome {
+
+RowMaker::RowMaker(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
+                   double max_distance, std::uint64_t seed, Observer& observer)
+    : solver_(solver),
+      surfaces_(surfaces),
+      sources_(sources),
+      max_distance_(max_distance),
+      quiet_(observer),
+      context_(ShortestPathSolver::stage, quiet_, 1, seed) {}
+
+void RowMaker::make(Search& search, std::uint64_t i, std::span<double> row) {
+  const SourceSurface on = surfaces_.of(sources_[i]);
+  if (sources_[i].place.state == Place::State::on_surface) ++insertions_[static_cast<std::size_t>(on.how)];
+  if (on.mesh == surfaces_.reconstruction()) return measure(solver_, search, on, row);
+  const PreparedSolver own = prepared_on(solver_, on.mesh, context_);
+  measure(own, *make_search(own), on, row);
+}
+
+void RowMaker::measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row) {
+  const auto counters = distance_row(solver, search, on.source, *on.targets, max_distance_, context_, row);
+  if (!counters.empty()) counters_.add(solver_, counters);
+}
+
+std::map<std::string, std::uint64_t> RowMaker::insertions() const {
+  if (surfaces_.rule() == ProjectionRule::project) return {};
+  constexpr const char* names[] = {"existing", "cavity", "partial", "extended"};  // as Insertion
+  std::map<std::string, std::uint64_t> counts;
+  for (std::size_t how = 0; how < insertions_.size(); ++how) counts[names[how]] = insertions_[how];
+  return counts;
+}
+
+void compute_rows(const RowSet& rows, RowMaker& maker, RowSink& sink, unsigned threads, RunContext& context) {
+  const auto make_filler = [&]() -> RowFiller {
+    return [&maker, search = std::shared_ptr(make_search(maker.solver()))](std::uint64_t i, std::span<double> row) {
+      maker.make(*search, i, row);
+    };
+  };
+  fill_rows(rows, sink, maker.columns(), threads, make_filler, context);
+}
+
+}  // namespace geodrome

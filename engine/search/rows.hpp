@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "engine/host/stage_context.hpp"
+#include "engine/search/counter_sum.hpp"
+#include "engine/search/source_surface.hpp"
+#include "geodrome/engine/row_set.hpp"
+#include "geodrome/engine/row_sink.hpp"
+
+namespace geodrome {
+
+/// Tells an observer everything but progress: progress is told per row, not within one.
+class WithoutProgress final : public Observer {
+ public:
+  explicit WithoutProgress(Observer& observer) : observer_(observer) {}
+  void log(LogLevel level, std::string_view message) override { observer_.log(level, message); }
+  std::string words(const Remedy& remedy) const override { return observer_.words(remedy); }
+  bool cancelled() const noexcept override { return observer_.cancelled(); }
+
+ private:
+  Observer& observer_;
+};
+
+/// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source.
+/// Thread-safe.
+class RowMaker {
+ public:
+  /// All must outlive it. `solver` has the reconstruction of `surfaces` prepared.
+  RowMaker(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
+           double max_distance, std::uint64_t seed, Observer& observer);
+
+  std::size_t columns() const { return surfaces_.targets().size(); }
+  const PreparedSolver& solver() const { return solver_; }
+
+  /// Fills the row of source `i`. `search`: on the reconstruction. Throws as `distance_row`.
+  void make(Search& search, std::uint64_t i, std::span<double> row);
+
+  /// The counters of all searches so far.
+  std::map<std::string, std::uint64_t> counters() const { return counters_.sums(); }
+  /// How the sources so far became vertices; none for `project`.
+  std::map<std::string, std::uint64_t> insertions() const;
+
+ private:
+  void measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row);
+
+  const PreparedSolver& solver_;
+  const SourceSurfaces& surfaces_;
+  std::span<const NamedPoint> sources_;
+  double max_distance_;
+  WithoutProgress quiet_;
+  StageContext context_;
+  CounterSum counters_;
+  std::array<std::atomic<std::uint64_t>, 4> insertions_{};
+};
+
+/// Makes the rows of the set that the sink has not, over at most `threads` threads, each with a search of its own.
+/// Throws as `fill_rows` and `distance_row`.
+void compute_rows(const RowSet& rows, RowMaker& maker, RowSink& sink, unsigned threads, RunContext& context);
+
+}  // namespace geodrome

@@ -1,0 +1,3 @@
+// SPDX-License-Identifier: MIT
+// A fixture of the test: it is not compiled.
+#include "engine/jobs/job.hpp"
