@@ -6,7 +6,7 @@ namespace {
 using namespace geodrome;
 struct Fault : faulty::NoFault {
   static void before_run(const SurfaceMesh&) {
-    static char* volatile last = nullptr;
+    [[maybe_unused]] static char* volatile last = nullptr;
     last = new char[64];
   }
 };
