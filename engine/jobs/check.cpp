@@ -77,4 +77,9 @@ CheckReport run_check(const CheckJob& job, Observer& observer) {
   return check_report(start, observer);
 }
 
+std::string unusable_json(const std::filesystem::path& file, const InputError& error, const std::string& remedy) {
+  const Json what{{"fault", name(error.fault())}, {"message", error.message()}, {"remedy", remedy}};
+  return text_of(Json{{"usable", false}, {"file", file.string()}, {"error", what}});
+}
+
 }  // namespace geodrome

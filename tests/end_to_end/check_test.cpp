@@ -113,7 +113,7 @@ TEST_F(Check, RefusesOrDoubtsPointsOfNoManifold) {
 }
 
 TEST_F(Check, TellsWhyASampleIsRefusedAndWhatIsKnownUpToThere) {
-  write(test::plane_grid(20, 20));
+  write(test::plane_lattice(20, 20));
   const json r = report({"--reconstructor", "advancing_front:boundary=closed"}, 4);
   EXPECT_FALSE(r["usable"]);
   EXPECT_TRUE(r["refused"]);
@@ -152,7 +152,7 @@ TEST_F(Check, GivesTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(Check, ARefusalInARunWritesTheReport) {
-  write(test::plane_grid(20, 20));
+  write(test::plane_lattice(20, 20));
   const Outcome outcome = run_geodrome(folder_, {"distances", file("p.xyz"), "-o", file("d.npy"), "--report",
                                                  file("r.json"), "--reconstructor", "advancing_front:boundary=closed"});
   EXPECT_EQ(outcome.status, 4);

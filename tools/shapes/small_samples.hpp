@@ -59,7 +59,7 @@ inline PointSample torus(std::size_t n, std::uint64_t seed, double skew = 1) {
 }
 
 /// Unit spacing in the plane z = 0; row by row.
-inline PointSample plane_grid(std::size_t columns, std::size_t rows) {
+inline PointSample plane_lattice(std::size_t columns, std::size_t rows) {
   PointSample sample;
   for (std::size_t j = 0; j < rows; ++j)
     for (std::size_t i = 0; i < columns; ++i)

@@ -22,8 +22,8 @@ std::vector<Neighbour> all_sorted(const std::vector<Vec3>& points, const Vec3& q
 }
 
 std::vector<PointSample> samples() {
-  return {test::torus(700, 1, 10), test::plane_grid(20, 30), test::cube(500, 2),
-          test::moved(test::plane_grid(25, 25), 1e-6, {0, 0, 0}),
+  return {test::torus(700, 1, 10), test::plane_lattice(20, 30), test::cube(500, 2),
+          test::moved(test::plane_lattice(25, 25), 1e-6, {0, 0, 0}),
           test::moved(test::torus(600, 3), 1e6, {1e6, -1e6, 1e6})};
 }
 
@@ -44,7 +44,7 @@ TEST(Neighbours, NearestEqualsTheSortedListWithTiesByIndex) {
 }
 
 TEST(Neighbours, QueriesFarFromAllPointsAreExact) {
-  const PointSample sample = test::plane_grid(20, 20);
+  const PointSample sample = test::plane_lattice(20, 20);
   const Neighbours neighbours(sample.points);
   std::vector<Neighbour> found;
   test::Random random(5);
@@ -76,7 +76,7 @@ TEST(Neighbours, BallIsClosedAndComplete) {
 }
 
 TEST(Neighbours, TiesAtTheLastPlaceAreAllTaken) {
-  const PointSample sample = test::plane_grid(9, 9);
+  const PointSample sample = test::plane_lattice(9, 9);
   const Neighbours neighbours(sample.points);
   std::vector<Neighbour> found;
   neighbours.nearest_and_ties(sample.points[40], 3, found, 40);

@@ -59,7 +59,7 @@ TEST(ControlConstant, PsiAndPhiAreAShareOfTheMedianDistanceOfTheSixthNeighbourEv
 }
 
 TEST(ControlConstant, TheSpacingOfALatticeIsItsDiagonal) {
-  EXPECT_DOUBLE_EQ(psi_of(test::plane_grid(40, 40)), 0.8 * std::sqrt(2));
+  EXPECT_DOUBLE_EQ(psi_of(test::plane_lattice(40, 40)), 0.8 * std::sqrt(2));
 }
 
 TEST(ControlConstant, TheSpacingGrowsWithTheSample) {

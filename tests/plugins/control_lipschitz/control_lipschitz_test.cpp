@@ -109,22 +109,22 @@ TEST(ControlLipschitz, PhiIsTheFarthestVertexOfTheCutVoronoiCell) {
   expect_phi_is_plain("noisy torus", test::with_noise(test::torus(1000, 4), 0.1, 5));
   expect_phi_is_plain("plane", test::plane(1500, 6));
   expect_phi_is_plain("cube", test::cube(1000, 7));
-  expect_phi_is_plain("grid", test::plane_grid(30, 20));
-  expect_phi_is_plain("turned grid", test::moved(test::plane_grid(20, 30), 1, {0, 0, 0}));
+  expect_phi_is_plain("grid", test::plane_lattice(30, 20));
+  expect_phi_is_plain("turned grid", test::moved(test::plane_lattice(20, 30), 1, {0, 0, 0}));
   expect_phi_is_plain("small torus", test::moved(test::torus(800, 8), 1e-6, {0, 0, 0}));
   expect_phi_is_plain("large torus", test::moved(test::torus(800, 9), 1e6, {0, 0, 0}));
   expect_phi_is_plain("far torus", test::moved(test::torus(800, 10), 1, {1e6, 1e6, -1e6}));
 }
 
 TEST(ControlLipschitz, PhiOfALatticeIsHalfItsDiagonal) {
-  const PointSample sample = test::plane_grid(20, 20);
+  const PointSample sample = test::plane_lattice(20, 20);
   const Control control = control_of(sample, tangents_of(sample), "cap=off");
   for (const double phi : control.phi) ASSERT_NEAR(phi, std::sqrt(0.5), 1e-14);
 }
 
 TEST(ControlLipschitz, ExactlyTheBorderOfALatticeIsUnbounded) {
   for (const double scale : {1e-6, 1.0, 1e6}) {
-    const PointSample sample = test::moved(test::plane_grid(30, 20), scale, {});
+    const PointSample sample = test::moved(test::plane_lattice(30, 20), scale, {});
     const Control control = control_of(sample, tangents_of(sample));
     for (std::size_t i = 0; i < sample.size(); ++i) {
       const bool border = i % 30 == 0 || i % 30 == 29 || i / 30 == 0 || i / 30 == 19;
@@ -143,7 +143,7 @@ std::vector<PointSample> twenty_samples() {
     samples.push_back(test::cube(3000, seed));
     samples.push_back(test::plane(4000, seed));
   }
-  samples.push_back(test::plane_grid(60, 70));
+  samples.push_back(test::plane_lattice(60, 70));
   samples.push_back(test::moved(test::torus(3000, 4), 1e-6, {}));
   samples.push_back(test::moved(test::ellipsoid(3000, 5), 1e6, {1e6, 0, 0}));
   samples.push_back(test::with_noise(test::torus(5000, 6), 0.2, 7));

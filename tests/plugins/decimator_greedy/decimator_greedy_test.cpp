@@ -45,7 +45,7 @@ std::vector<PointSample> samples() {
           test::torus(3000, 2, 10),
           test::ellipsoid(3000, 3),
           test::plane(2000, 4),
-          test::plane_grid(40, 40),
+          test::plane_lattice(40, 40),
           test::moved(test::torus(2000, 5), 1e-6, {}),
           test::moved(test::torus(2000, 6), 1e6, {1e6, 1e6, 1e6})};
 }
@@ -87,7 +87,7 @@ TEST(DecimatorGreedy, KeepsAboutAQuarterOfAUniformSample) {
 }
 
 TEST(DecimatorGreedy, TheBallIsClosed) {
-  const PointSample sample = test::plane_grid(30, 1);
+  const PointSample sample = test::plane_lattice(30, 1);
   Context context;
   const std::vector<Index> kept = GreedyDecimation().select(sample, constant(30, 1), context);
   for (std::size_t i = 1; i < kept.size(); ++i) EXPECT_GE(kept[i] - kept[i - 1], 2U);

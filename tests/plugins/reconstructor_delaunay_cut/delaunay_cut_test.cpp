@@ -127,9 +127,9 @@ TEST(DelaunayCut, MakesComponentsOfLinkedTori) {
 }
 
 TEST(DelaunayCut, TriangulatesPlanarPiecesInTheirPlanes) {
-  PointSample plates = test::plane_grid(15, 15);
-  for (const Vec3& p : test::plane_grid(15, 15).points) plates.points.push_back({p.x, p.y, 40});
-  for (const Vec3& p : test::plane_grid(15, 15).points) plates.points.push_back({p.x + 60, p.z, p.y});
+  PointSample plates = test::plane_lattice(15, 15);
+  for (const Vec3& p : test::plane_lattice(15, 15).points) plates.points.push_back({p.x, p.y, 40});
+  for (const Vec3& p : test::plane_lattice(15, 15).points) plates.points.push_back({p.x + 60, p.z, p.y});
   const Reconstruction made = reconstruct(test::staged(std::move(plates), false));
   EXPECT_EQ(topology(*made.mesh), (Topology{3, 3 * 4 * 14, 3}));
 }

@@ -125,7 +125,7 @@ TEST(StarSurface, IsRightOrRefusedWithPlacesButNeverWrong) {
 }
 
 TEST(StarSurface, RefusesLatticesWhereTheirCellsAreCocircular) {
-  for (const PointSample& lattice : {test::plane_grid(20, 20), test::moved(test::plane_grid(20, 20), 1, {})}) {
+  for (const PointSample& lattice : {test::plane_lattice(20, 20), test::moved(test::plane_lattice(20, 20), 1, {})}) {
     const auto refusal = refusal_of(test::staged(lattice, false));
     ASSERT_TRUE(refusal);
     const Finding* edges = find(*refusal, "crowded_edges");

@@ -30,7 +30,7 @@ std::vector<Case> cases() {
           {"uneven torus", test::torus(2000, 2, 10)},
           {"noisy ellipsoid", test::with_noise(test::ellipsoid(2000, 3), 0.05, 4)},
           {"plane", test::plane(1000, 5)},
-          {"grid", test::plane_grid(30, 40)}};
+          {"grid", test::plane_lattice(30, 40)}};
 }
 
 void expect_psi(const Case& c, const Control& control, const std::vector<double>& expected, double tolerance) {

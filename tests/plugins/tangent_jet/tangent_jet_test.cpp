@@ -94,7 +94,7 @@ TEST(TangentJet, NormalsConvergeWithTheSpacingSquared) {
 
 TEST(TangentJet, NormalsOfAPlaneAreExact) {
   const Vec3 axis = test::moved({{{0, 0, 1}}}, 1, {}).points[0];
-  for (const PointSample& flat : {test::plane(500, 1), test::plane_grid(20, 30)}) {
+  for (const PointSample& flat : {test::plane(500, 1), test::plane_lattice(20, 30)}) {
     const Tangents tangents = tangents_of(test::moved(flat, 1, {}));
     EXPECT_EQ(tangents.sigma, 0);
     EXPECT_EQ(dropped(tangents, 0, flat.size()), 0U);
@@ -115,7 +115,7 @@ TEST(TangentJet, JitterFarBelowTheSpacingDoesNotTurnTheNormalsOfALattice) {
 }
 
 TEST(TangentJet, RowsOfAScanStillShowTheirPlane) {
-  PointSample sample = test::plane_grid(2000, 5);  // spacing 1 : 100: the 20 nearest points of any point are in its row
+  PointSample sample = test::plane_lattice(2000, 5);  // spacing 1 : 100: the 20 nearest points of any point are in its row
   for (Vec3& p : sample.points) p.x *= 0.01;
   const Vec3 axis = test::moved({{{0, 0, 1}}}, 1, {}).points[0];
   Context context;

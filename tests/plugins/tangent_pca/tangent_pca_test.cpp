@@ -24,7 +24,7 @@ double angle(const Vec3& a, const Vec3& b) {
 }
 
 TEST(TangentPca, NormalsOfAPlaneAreExact) {
-  for (const PointSample& flat : {test::plane(500, 1), test::plane_grid(20, 30)}) {
+  for (const PointSample& flat : {test::plane(500, 1), test::plane_lattice(20, 30)}) {
     const Vec3 axis = test::moved({{{0, 0, 1}}}, 1, {}).points[0];
     const Tangents tangents = tangents_of(test::moved(flat, 1, {}));
     for (const TangentPlane& plane : tangents.plane) ASSERT_LT(angle(plane.normal, axis), 1e-6);
@@ -46,7 +46,7 @@ TEST(TangentPca, NormalsOfATorusAreWithinDegrees) {
 
 TEST(TangentPca, ResidualIsTheRootMeanSquareDistanceFromThePlane) {
   // Heights 0.1 and -0.1 in turn on a fine lattice: the least-squares plane is z = 0 but for the odd point.
-  PointSample sample = test::plane_grid(40, 40);
+  PointSample sample = test::plane_lattice(40, 40);
   for (std::size_t i = 0; i < sample.size(); ++i) sample.points[i].z = (i % 40 + i / 40) % 2 ? 0.1 : -0.1;
   const Tangents tangents = tangents_of(sample, "k=400");
   EXPECT_NEAR(tangents.plane[20 * 40 + 20].residual, 0.1, 1e-3);
@@ -59,7 +59,7 @@ TEST(TangentPca, ResidualOfAnExactPlaneIsRounding) {
 
 TEST(TangentPca, RowsOfAScanStillShowTheirPlane) {
   // Spacing 1 : 100: the 30 nearest points of any point are in its own row.
-  PointSample sample = test::plane_grid(2000, 5);
+  PointSample sample = test::plane_lattice(2000, 5);
   for (Vec3& p : sample.points) p.x *= 0.01;
   const Vec3 axis = test::moved({{{0, 0, 1}}}, 1, {}).points[0];
   const Tangents tangents = tangents_of(test::moved(sample, 1, {}));
@@ -67,7 +67,7 @@ TEST(TangentPca, RowsOfAScanStillShowTheirPlane) {
 }
 
 TEST(TangentPca, RowsLongerThanFourHundredPointsStillShowTheirPlane) {
-  PointSample sample = test::plane_grid(1500, 2);
+  PointSample sample = test::plane_lattice(1500, 2);
   for (Vec3& p : sample.points) p.y *= 5000;
   const Tangents tangents = tangents_of(sample);
   for (const TangentPlane& plane : tangents.plane) ASSERT_LT(angle(plane.normal, {0, 0, 1}), 1e-6);
@@ -110,7 +110,7 @@ TEST(TangentPca, PointsOnALineAreRefused) {
 }
 
 TEST(TangentPca, TheNeighbourhoodDoesNotDependOnTheOrderOfPoints) {
-  for (const PointSample& sample : {test::with_noise(test::torus(1000, 1), 0.05, 2), test::plane_grid(20, 20)}) {
+  for (const PointSample& sample : {test::with_noise(test::torus(1000, 1), 0.05, 2), test::plane_lattice(20, 20)}) {
     const std::vector<Index> order = test::permutation(sample.size(), 3);
     const Tangents one = tangents_of(sample), other = tangents_of(test::permuted(sample, order));
     for (std::size_t i = 0; i < order.size(); ++i)

@@ -55,7 +55,7 @@ TEST(TangentPole, CocircularGridsTurnNoNormal) {
 }
 
 TEST(TangentPole, APlaneHasNoPolesAndFallsBackCounted) {
-  const PointSample flat = test::moved(test::plane_grid(20, 30), 1, {1, 2, 3});
+  const PointSample flat = test::moved(test::plane_lattice(20, 30), 1, {1, 2, 3});
   const Vec3 axis = test::moved({{{0, 0, 1}}}, 1, {}).points[0];
   Context context;
   const Tangents tangents = PoleTangents().estimate(flat, context);

@@ -27,7 +27,7 @@ std::vector<NamedSample> samples() {
   return {{"torus", torus(3000, 1, 10)},
           {"ellipsoid", ellipsoid(2000, 2)},
           {"plane", plane(1000, 3)},
-          {"plane grid", plane_grid(20, 20)}};
+          {"plane grid", plane_lattice(20, 20)}};
 }
 
 void ascending(DecimatorTrial& t) {

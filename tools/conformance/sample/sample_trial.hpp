@@ -42,7 +42,7 @@ inline std::vector<NamedSample> usual_samples() {
   return {{"torus", torus(2000, 1, 10)},
           {"noisy ellipsoid", with_noise(ellipsoid(1500, 2), 0.02, 3)},
           {"plane", plane(800, 4)},
-          {"plane grid", plane_grid(25, 30)},
+          {"plane grid", plane_lattice(25, 30)},
           {"tiny torus", moved(torus(1000, 5), 1e-6, {})},
           {"huge torus, far away", moved(torus(1000, 6), 1e6, {1e6, 1e6, 1e6})}};
 }
