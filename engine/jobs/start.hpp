@@ -6,8 +6,8 @@
 #include "geodrome/engine/pipeline.hpp"
 
 /// The head of every job. Mistakes are told in the order in which they are cheap to find: arguments and the syntax of
-/// lists, then the solver and what it provides, then the input, then the plugins of stages 1 to 4, and only then does
-/// stage 1 run.
+/// lists, then the solver and what it provides, then files of pairs, then the input, then the plugins of stages 1 to 4,
+/// and only then does stage 1 run.
 namespace geodrome {
 
 using SolverPlugin = Plugin<ShortestPathSolver>;

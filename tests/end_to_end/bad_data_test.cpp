@@ -88,7 +88,7 @@ TEST_F(BadDataDetails, MessagesNameTheElement) {
                                                        {"index_out_of_range.ply", "2147483647"},
                                                        {"nan_coordinate.ply", "vertex 5"},
                                                        {"inf_coordinate.off", "vertex 5"},
-                                                       {"nan_points.xyz", "--drop-nonfinite"},
+                                                       {"nan_points.xyz", "read.drop_nonfinite"},
                                                        {"header_4e9_vertices.ply", "4000000000"},
                                                        {"header_4e9_vertices_ascii.ply", "4000000000"}};
   for (const auto& [file, part] : parts) {

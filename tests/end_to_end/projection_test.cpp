@@ -274,7 +274,7 @@ TEST_F(ProjectionRule, RefusalsSayWhyAndWhatToDo) {
     EXPECT_EQ(outcome.status, status) << outcome.err;
     EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
   };
-  expect(run("insert", {"--nearest", file("n.csv")}), 2, "--nearest");
+  expect(run("insert", {"--nearest", file("n.csv")}), 2, "leave --query out");
   write_bytes(folder_ / "s.txt", "0\n1 0 0\n");
   expect(run("printed", {"--sources", "@" + file("s.txt"), "-o", file("d.npy")}), 2, "rows");
   write_bytes(folder_ / "square.off", "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 2 3\n");

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/jobs/compare/quarter.hpp"
+#include "geodrome/quarter.hpp"
 #include "tools/shapes/surface_net.hpp"
 
 namespace geodrome::shapes {

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/jobs/compare/quarter.hpp"
+#include "geodrome/quarter.hpp"
 #include "tools/shapes/random.hpp"
 
 namespace geodrome::shapes {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/compare/refined_surface.hpp"
 
-#include "engine/jobs/compare/quarter.hpp"
+#include "geodrome/quarter.hpp"
 
 namespace geodrome {
 

@@ -50,10 +50,10 @@ std::string as_npy(std::span<const double> values) {
 JobReport run_pairs(const PairJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
-  PairSelection selection = parse_pairs(job.pairs);
   const PluginHost host(job.settings.plugin_path);
   SolverPlugin plugin = load_solver(host, job.settings.stages.solver);
   demand_pair_queries(plugin.info, host);
+  PairSelection selection = parse_pairs(job.pairs);  // after the solver: the file may have millions of lines
   const JobStart start = start_job(job.input, host, job.settings, plugin.factor, observer);
   if (start.opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, start) + "\n");
   throw_if_refused(start, observer);

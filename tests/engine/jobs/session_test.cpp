@@ -17,7 +17,7 @@
 namespace geodrome::testing {
 namespace {
 
-const std::string pair_plugins = std::string(GEODROME_BINARY_DIR) + "/tests/bad_plugins";
+const std::string pair_plugins = std::string(GEODROME_BINARY_DIR) + "/tests/sound_plugins";
 
 bool same_bytes(std::span<const double> a, std::span<const double> b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
