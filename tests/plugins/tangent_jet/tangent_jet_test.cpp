@@ -115,7 +115,8 @@ TEST(TangentJet, JitterFarBelowTheSpacingDoesNotTurnTheNormalsOfALattice) {
 }
 
 TEST(TangentJet, RowsOfAScanStillShowTheirPlane) {
-  PointSample sample = test::plane_lattice(2000, 5);  // spacing 1 : 100: the 20 nearest points of any point are in its row
+  // Spacing 1 : 100: the 20 nearest points of any point are in its row.
+  PointSample sample = test::plane_lattice(2000, 5);
   for (Vec3& p : sample.points) p.x *= 0.01;
   const Vec3 axis = test::moved({{{0, 0, 1}}}, 1, {}).points[0];
   Context context;
