@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/session.hpp"
 
-#include <mutex>
-
-#include "engine/host/stage_context.hpp"
 #include "engine/jobs/check.hpp"
 #include "engine/jobs/pairs/distances.hpp"
-#include "engine/jobs/pairs/index.hpp"
+#include "engine/jobs/session_state.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/search/distances.hpp"
 #include "engine/search/projection_rule.hpp"
@@ -15,46 +12,15 @@
 
 namespace geodrome {
 
-struct Session::Impl {
+struct Session::Impl : SessionState {
   /// `source`: a file or an Input.
   template <class Source>
-  Impl(Source&& source, RunSettings run_settings, Observer& told, Provides demands)
-      : settings(std::move(run_settings)),
-        observer(told),
-        host(settings.plugin_path),
-        plugin(load_solver(host, settings.stages.solver, demands)),
-        start(start_job(std::forward<Source>(source), host, settings, plugin.factor, observer)) {
+  Impl(Source&& source, RunSettings settings, Observer& observer, Provides demands)
+      : SessionState(std::move(settings), observer, demands) {
+    begin(std::forward<Source>(source));
     throw_if_refused(start, observer);
     tell_sample(start, observer);
   }
-
-  const PreparedSolver& prepared() {
-    const std::lock_guard lock(preparing);
-    if (!solver.prepared) solver = prepare_solver(plugin, start.surface().mesh, host, settings, observer);
-    return solver;
-  }
-
-  const PairOracle& pair_oracle() {
-    const std::lock_guard lock(building);
-    if (!oracle.oracle) {
-      demand_pair_queries(plugin.info, host);
-      oracle = ready_oracle(*start.surface().mesh, prepared(), {}, settings, observer);
-    }
-    return *oracle.oracle;
-  }
-
-  StageContext context(const char* stage, unsigned threads) {
-    return StageContext(stage, observer, threads, settings.seed);
-  }
-
-  RunSettings settings;
-  Observer& observer;
-  PluginHost host;
-  SolverPlugin plugin;
-  JobStart start;
-  std::mutex preparing, building;  // of what the first question makes; if that throws, the next one tries again
-  PreparedSolver solver;
-  ReadyOracle oracle;
 };
 
 namespace {
@@ -182,7 +148,7 @@ PathResult Session::path(const NamedPoint& from, const NamedPoint& to, Projectio
 }
 
 std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {
-  const PairOracle& oracle = impl_->pair_oracle();
+  const PairOracle& oracle = *impl_->oracle().oracle;
   const unsigned threads = thread_count(impl_->settings);
   StageContext context = impl_->context("queries", threads);
   return ask_pairs(surface(), impl_->prepared(), oracle, pairs, threads, context);

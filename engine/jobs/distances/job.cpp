@@ -3,9 +3,9 @@
 
 #include "engine/formats/remedies.hpp"
 #include "engine/formats/source_file.hpp"
-#include "engine/host/stage_context.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/distances/report.hpp"
+#include "engine/jobs/session_state.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
 #include "engine/search/distances.hpp"
@@ -107,9 +107,9 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
   const Selection from = parse_selection(job.sources), to = parse_selection(job.targets);
-  const PluginHost host(job.settings.plugin_path);
-  SolverPlugin plugin = load_solver(host, job.settings.stages.solver, demands_of(job, from));
-  const JobStart start = start_job(job.input, host, job.settings, plugin.factor, observer);
+  SessionState session(job.settings, observer, demands_of(job, from));
+  session.begin(job.input);
+  const JobStart& start = session.start;
   const Opened& opened = start.opened;
   if (opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, start) + "\n");
   throw_if_refused(start, observer);
@@ -117,10 +117,9 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   check_rule(job.query, opened, sources);
   const SourceSurfaces surfaces(job.query, opened, resolve(to, opened.input, opened.surface));
   const TargetList& targets = surfaces.targets();
-  const PreparedSolver solver = prepare_solver(std::move(plugin), opened.surface.mesh, host, job.settings, observer);
-  check_provides(solver.plugin.info, job.query, sources, targets.named(), job.max_distance);
+  check_provides(session.plugin.info, job.query, sources, targets.named(), job.max_distance);
 
-  RunRecord record{job, start, solver, sources.size(), targets.size()};
+  RunRecord record{job, start, session.prepared(), sources.size(), targets.size()};
   search(record, surfaces, sources, observer);
   record.total_seconds = total.seconds();
 

@@ -6,9 +6,9 @@
 #include "engine/formats/npy.hpp"
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
-#include "engine/host/stage_context.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/pairs/report.hpp"
+#include "engine/jobs/session_state.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/surface/selection.hpp"
 
@@ -50,19 +50,19 @@ std::string as_npy(std::span<const double> values) {
 JobReport run_pairs(const PairJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
-  const PluginHost host(job.settings.plugin_path);
-  SolverPlugin plugin = load_solver(host, job.settings.stages.solver);
-  demand_pair_queries(plugin.info, host);
+  SessionState session(job.settings, observer, Provides::nothing);
+  demand_pair_queries(session.plugin.info, session.host);
   PairSelection selection = parse_pairs(job.pairs);  // after the solver: the file may have millions of lines
-  const JobStart start = start_job(job.input, host, job.settings, plugin.factor, observer);
+  session.begin(job.input);
+  const JobStart& start = session.start;
   if (start.opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, start) + "\n");
   throw_if_refused(start, observer);
   const PlacedSurface& surface = start.surface();
   const PairList list = resolve(std::exchange(selection, {}), start.input(), surface);
-  const PreparedSolver solver = prepare_solver(std::move(plugin), surface.mesh, host, job.settings, observer);
-  const ReadyOracle oracle = ready_oracle(*surface.mesh, solver, job.index, job.settings, observer);
+  const PreparedSolver& solver = session.prepared();
+  const ReadyOracle& oracle = session.oracle(job.index);
   const unsigned threads = thread_count(job.settings);
-  StageContext context("queries", observer, threads, job.settings.seed);
+  StageContext context = session.context("queries", threads);
   const PairDistances distances = pair_distances(surface, solver, *oracle.oracle, list.pairs, threads, context);
   const bool csv = has_ending(job.out, ".csv");
   write_atomically(job.out, csv ? as_csv(list.pairs, distances.values) : as_npy(distances.values));

@@ -121,7 +121,7 @@ TEST_F(JobHeads, TellOfListsThatCannotBeReadBeforeStage1) {
   ends.to = "0,1";
   expect_early<OptionError>([&](Observer& o) { run_path(ends, o); }, "2 points");
   write_bytes(folder_ / "p.txt", "0, 1\n2\n");
-  expect_early<InputError>([&](Observer& o) { run_pairs(pairs("chen_han"), o); }, "line 2");
+  expect_early<InputError>([&](Observer& o) { run_pairs(pairs("aleksandrov"), o); }, "line 2");
 }
 
 TEST_F(JobHeads, CompareTellsOfASolverInItsRowBeforeStage1) {

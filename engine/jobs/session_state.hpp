@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <mutex>
+
+#include "engine/host/stage_context.hpp"
+#include "engine/jobs/pairs/index.hpp"
+#include "engine/jobs/start.hpp"
+
+namespace geodrome {
+
+/// What a Session holds and the jobs with a solver stand on, so that all of them take the same steps in the same order:
+/// load the solver and ask what it provides, read the input, run stages 1 to 4, prepare the solver with the first
+/// question. `prepared` and `oracle` may be called from several threads at once.
+class SessionState {
+ public:
+  /// Loads the solver. Throws as `load_solver`. `observer` must outlive it.
+  SessionState(RunSettings settings, Observer& observer, Provides demands)
+      : settings(std::move(settings)),
+        observer(observer),
+        host(this->settings.plugin_path),
+        plugin(load_solver(host, this->settings.stages.solver, demands)) {}
+
+  /// Runs stages 1 to 4 on a file or an Input. A sample that a stage refuses is kept in `start`: see
+  /// `throw_if_refused`.
+  template <class Source>
+  void begin(Source&& source) {
+    start = start_job(std::forward<Source>(source), host, settings, plugin.factor, observer);
+  }
+
+  /// The solver with the surface prepared: by the first call, or the next one if that throws.
+  const PreparedSolver& prepared() {
+    const std::lock_guard lock(preparing_);
+    if (!solver_.prepared) solver_ = prepare_solver(plugin, start.surface().mesh, host, settings, observer);
+    return solver_;
+  }
+
+  /// The oracle of the solver, from the index file if one is named and there, else built: by the first call, which
+  /// alone regards `index`, or the next one if that throws. Throws as `demand_pair_queries` and `ready_oracle`.
+  const ReadyOracle& oracle(const std::filesystem::path& index = {}) {
+    const std::lock_guard lock(building_);
+    if (oracle_.oracle) return oracle_;
+    demand_pair_queries(plugin.info, host);
+    oracle_ = ready_oracle(*start.surface().mesh, prepared(), index, settings, observer);
+    return oracle_;
+  }
+
+  StageContext context(const char* stage, unsigned threads) const {
+    return StageContext(stage, observer, threads, settings.seed);
+  }
+
+  const RunSettings settings;
+  Observer& observer;
+  const PluginHost host;
+  const SolverPlugin plugin;
+  JobStart start;
+
+ private:
+  std::mutex preparing_, building_;
+  PreparedSolver solver_;
+  ReadyOracle oracle_;
+};
+
+}  // namespace geodrome
