@@ -44,7 +44,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   Propagation(const PackedMesh& surface, const Settings& settings);
 
-  /// Forgets the last run. With `keep` all fronts that are carried on are kept.
+  /// Forgets the last run. All fronts that are carried on are kept if `keep` is true.
   void begin(bool keep, double limit);
 
   Way way_to(const SurfacePoint& inner, double best) const;
