@@ -18,7 +18,7 @@ void keep_right(const Generator& gone, const Interval& l, const Generator& right
 /// lies in a gap, which counts as part of the left one.
 ///
 /// The nearer generator at a crossing decides if only one of the two has a ray to the point and that ray crosses the
-/// other's wedge. So it is also found out whether the ray is a real path: wedges inside a front are wider than the free
+/// other's wedge. The crossing also shows whether the ray is a real path: wedges inside a front are wider than the free
 /// way between the vertices beside it, but the neighbour whose outermost ray passes such a vertex is nearer up to
 /// there.
 bool right_has(const Generator& left, const Generator& right, double px, double py);

@@ -91,7 +91,7 @@ void Propagation::process(Index half_edge) {
   pass(half_edge, std::move(front), ends, course);
 }
 
-/// Unites fronts of one entry. They came through the same half-edge unless they are loose.
+/// Unites fronts of one entry. The fronts came through the same half-edge unless they are loose.
 void Propagation::unite(Arrival& all, Arrival arrival, double length) {
   const bool is_loose = all.entry == Entry::loose;
   if (!is_loose && arrival.course.is_left_of(all.course)) {

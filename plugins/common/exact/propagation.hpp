@@ -39,7 +39,7 @@ concept StartsOnMesh = requires(P& propagation, const Source& source, Index numb
 };
 
 /// The part of a propagation that PropagationSearch runs: run(context, lower_limit) goes on until nothing below the
-/// limit is left. It calls `double lower_limit()` once in `steps_a_poll` of its steps, so that looking at a target
+/// limit is left. The run calls `double lower_limit()` once in `steps_a_poll` of its steps, so that looking at a target
 /// costs about one step; the result becomes the limit if it is lower. May throw Cancelled.
 template <class P>
 concept RunsToLimit = requires(P& propagation, const RunContext& context, double (&lower_limit)()) {

@@ -28,8 +28,8 @@ struct PseudoSource {
 
 /// The base of exact propagations, whatever carries their straight lines across faces: labels of vertices, paths along
 /// edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances are
-/// those of the packed mesh, and so are the numbers of faces and vertices. It has the members of MeshPropagation
-/// (propagation.hpp) that do not depend on these lines.
+/// those of the packed mesh, and so are the numbers of faces and vertices. The base has the members of MeshPropagation
+/// (propagation.hpp) that do not depend on these lines: `seed`, `watched`, `run`, `labels`.
 ///
 /// `Step` is that of Labels, with a member `vertex` for a path along an edge from that vertex. A `Solver` derives from
 /// VertexPropagation<Solver, Step>, so that calls are bound when it is compiled, and has

@@ -32,7 +32,7 @@ inline constexpr Angle no_angle{0, 0};
 struct Label {
   double distance = infinity;
   /// The side from which the path comes: this angle counterclockwise from half-edge `corner`, which starts at the
-  /// vertex. It is known at saddles only. Without a corner the vertex is a source.
+  /// vertex. The side is known at saddles only. The vertex is a source if there is no corner.
   Angle side;
   Index corner = no_index;
   Index source = no_index;  ///< of the request
