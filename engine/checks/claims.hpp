@@ -10,7 +10,7 @@
 
 namespace geodrome {
 
-/// What was measured at one sample point.
+/// A value measured at one sample point.
 struct PlacedValue {
   Index point = no_index;
   double measured = 0;
@@ -30,17 +30,17 @@ struct Claim {
   bool strain_tells = true;  ///< false: held near its bound by construction, so that only a failure says something
 
   bool is_measured() const { return !std::isnan(measured); }
-  /// How far a value uses up the bound; above 1 it breaks it.
+  /// Returns the share of the bound that a value uses up; above 1 the value breaks the bound.
   double strain(double value) const { return sense == Sense::at_most ? value / bound : bound / value; }
   bool holds() const { return is_measured() && strain(measured) <= 1; }
   bool fails() const { return is_measured() && strain(measured) > 1; }
 };
 
-/// What the paper proves of the surface for epsilon <= 1/22, measured: psi is 1/18-Lipschitz (over the surface's edges
-/// and 10,000 seeded random pairs), Lemma 6 (as the decimator measured it, and over the edges), Lemmas 9, 12, 14 and
-/// 15, and the circumradius of faces, which Lemma 8 bounds: the surface point over a face's circumcentre is equally far
-/// from the corners, and as far from every other kept point or farther. Without a surface most is not measured.
-/// O(n log n).
+/// Measures the statements that the paper proves of the surface for epsilon <= 1/22: psi is 1/18-Lipschitz (over the
+/// surface's edges and 10,000 seeded random pairs), Lemma 6 (as the decimator measured it, and over the edges), Lemmas
+/// 9, 12, 14 and 15, and the circumradius of faces, which Lemma 8 bounds: the surface point over a face's circumcentre
+/// is equally far from the corners, and as far from every other kept point or farther. Without a surface most is not
+/// measured. O(n log n).
 std::vector<Claim> claims_of(const PlacedSurface& surface, std::uint64_t seed);
 
 /// Smooth shapes come out right up to the first epsilon, and mostly up to the second: observed on some 300 samples, not

@@ -28,7 +28,7 @@ struct SampleFacts {
 
 SampleFacts facts_of(const Input& input, const SampleStages& stages);
 
-/// What can be said of the paper's guarantee for a run on a sample. It is void when something it rests on fails;
+/// The verdict on the paper's guarantee for a run on a sample. The guarantee is void when something it rests on fails;
 /// nothing that is seen in a sample can confirm it, since epsilon refers to the unknown surface.
 struct GuaranteeVerdict {
   std::vector<Claim> claims;

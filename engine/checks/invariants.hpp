@@ -41,7 +41,7 @@ struct InvariantOptions {
   std::uint64_t seed = 0;
 };
 
-/// What one check found. A violation is positive where the invariant fails; it is relative to `Invariants::scale`.
+/// The result of one check. A violation is positive where the invariant fails; it is relative to `Invariants::scale`.
 struct InvariantCheck {
   bool expected = true;  ///< false: measured, but nothing promises it
   double tolerance = 0;

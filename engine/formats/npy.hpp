@@ -13,7 +13,7 @@ namespace geodrome {
 /// format".
 std::string npy_header(std::uint64_t rows, std::uint64_t columns, ScalarType scalar);
 
-/// The same for a vector of `count` entries.
+/// The header of a .npy file, as above, for a vector of `count` entries.
 std::string npy_header(std::uint64_t count, ScalarType scalar);
 
 /// .npy as a format of dense files.

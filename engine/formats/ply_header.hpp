@@ -20,7 +20,7 @@ constexpr std::size_t size_of(PlyType type) {
 }
 constexpr bool is_integer(PlyType type) { return type < PlyType::float32; }
 
-/// What the engine does with a property's values.
+/// The use that the engine makes of a property's values.
 enum class PlyRole : std::uint8_t { x, y, z, corners, weight, unused };
 constexpr std::size_t ply_role_count = 6;
 

@@ -13,7 +13,7 @@
 
 namespace geodrome::input {
 
-/// What a file holds, as it is stored: points and polygons of any number of corners. Every corner is a position.
+/// The content of a file as it is stored: points and polygons of any number of corners. Every corner is a position.
 struct Soup {
   std::string format;                 ///< the name in the table of formats, in lower case; set by `parse`
   std::vector<Vec3> positions;        ///< may be non-finite

@@ -17,20 +17,20 @@ namespace geodrome {
 
 struct PathResult;
 
-/// How sure the content of a file is of a format. The strongest evidence wins.
+/// The evidence that the content of a file gives for a format. The strongest wins.
 enum class Evidence {
   none,
   keyword,  ///< the file begins as the format says
   size,     ///< the file has just the size that its header announces
 };
 
-/// What a format holds, with remarks for help texts; no remark: it is not read, or not written.
+/// A content that a format can hold, with remarks for help texts; without a remark it is not read, or not written.
 struct Use {
   Content content;
   std::optional<std::string_view> read = std::nullopt, written = std::nullopt;
 };
 
-/// What a writer turns into bytes: points, and of a mesh triangles too.
+/// The data that a writer turns into bytes: points, and of a mesh triangles too.
 struct MeshToWrite {
   std::filesystem::path file;  ///< for messages
   std::span<const Vec3> positions;
@@ -44,11 +44,11 @@ struct Format {
   std::vector<std::string_view> endings;  ///< lower case; the first one is that of files that are written
   std::vector<Use> uses;
 
-  /// Of a mesh or of points: what the content tells; null if it never tells.
+  /// Returns the evidence that a file of a mesh or of points is of this format; null if the content never tells.
   Evidence (*evidence)(const input::SourceFile& file) = nullptr;
   /// Reads a mesh or points. Throws InputError, naming the line or element, for what is not of the format.
   input::Soup (*read)(const input::SourceFile& file) = nullptr;
-  /// The same with the numbers of a property of the faces, which must be there if there are faces.
+  /// Reads a mesh, as `read` does, with the numbers of a property of the faces, which must be there if there are faces.
   input::Soup (*read_weighted)(const input::SourceFile& file, std::string_view property) = nullptr;
   /// The bytes of a mesh or of points. Throws InputError (range) for numbers that the format cannot hold.
   std::string (*write)(const MeshToWrite& mesh) = nullptr;
@@ -66,7 +66,8 @@ std::span<const Format> formats();
 /// The format of a file to be written, by its ending. Throws OptionError, naming the valid endings, for another one.
 const Format& format_to_write(const std::filesystem::path& file, Content content);
 
-/// The same for a mesh, which must be of a format that holds weights if it is `weighted`: OptionError otherwise.
+/// The format of a mesh to be written, as `format_to_write`. Throws OptionError too if the mesh is `weighted` and the
+/// format holds no weights.
 const Format& mesh_format_to_write(const std::filesystem::path& file, bool weighted);
 
 }  // namespace geodrome

@@ -8,7 +8,7 @@
 
 namespace geodrome {
 
-/// How a child process ended. Exactly one of `exited`, `signal` and `timed_out` is set.
+/// The end of a child process. Exactly one of `exited`, `signal` and `timed_out` is set.
 struct ChildEnd {
   bool exited = false, timed_out = false;
   int status = 0, signal = 0;
@@ -21,8 +21,8 @@ struct ChildEnd {
 ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                    std::chrono::milliseconds limit);
 
-/// What a process that died had to say: the last line of its words that is not blank, in brackets; empty if there is
-/// none.
+/// The last line that is not blank of what a process wrote to its standard error, in brackets for a message; empty if
+/// there is none.
 std::string last_words(const ChildEnd& end);
 
 /// "SIGSEGV" for a child that a signal ended.

@@ -3,7 +3,7 @@
 
 #include "geodrome/engine/installed.hpp"
 
-/// What is installed beside the engine, found from where its library lies, so that an install can be moved.
+/// Finds what is installed beside the engine from the place of the engine's library, so that an install can be moved.
 namespace geodrome {
 
 /// The folder of the engine's library.

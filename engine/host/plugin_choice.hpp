@@ -14,7 +14,8 @@ struct PluginChoice {
   std::string options;
 };
 
-/// What holds a '/' or ends in ".so" is a file, all else a name, which may carry its stage ("solver_cgal").
+/// Parses a choice: text with a '/', or that ends in ".so", is a file; all else is a name, which may carry its stage
+/// ("solver_cgal").
 PluginChoice parse_choice(std::string_view stage, std::string_view text);
 
 }  // namespace geodrome

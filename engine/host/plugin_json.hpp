@@ -7,7 +7,8 @@
 
 #include "geodrome/engine/plugin_info.hpp"
 
-/// How `geodrome-vet` tells the host what a plugin is. JSON has no infinity: it is written as "inf" and "-inf".
+/// The JSON by which `geodrome-vet` tells the host what a plugin is. Infinity, which JSON has not, is written as "inf"
+/// and "-inf".
 namespace geodrome {
 
 inline nlohmann::json json_number(double value) {

@@ -17,7 +17,7 @@ inline std::string message_of(const Finding& finding) {
   return finding.message + " [" + elements + (finding.elements.size() < finding.count ? ", ...]" : "]");
 }
 
-/// The same with its remedy in the words of the observer.
+/// A finding for people: as `message_of`, then its remedy in the words of the observer.
 inline std::string text_of(const Finding& finding, const Observer& observer) {
   std::string text = message_of(finding);
   if (finding.remedy.empty()) return text;

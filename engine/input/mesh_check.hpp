@@ -12,7 +12,7 @@ namespace geodrome::input {
 /// nothing else. Precondition: positions and triangles of `input` are set. O(n log n).
 void check_mesh(const Polygons& polygons, Input& input);
 
-/// What the edges and corners of a triangle mesh say, as in InputFacts.
+/// The topology of a triangle mesh, from its edges and corners, as in InputFacts.
 struct Topology {
   Finding nonmanifold_edges, nonmanifold_vertices;  ///< elements: vertices
   Finding boundary_edges;                           ///< elements: vertices

@@ -22,7 +22,7 @@ class Origin {
   std::string vertex(std::size_t v) const {
     return is_file() ? "vertex " + std::to_string(v) + " (from 0)" : "positions[" + std::to_string(v) + "]";
   }
-  /// The same for a cloud.
+  /// "point 17 (from 0)", or "positions[17]": the name of a point of a cloud.
   std::string point(std::size_t p) const { return is_file() ? "point " + std::to_string(p) + " (from 0)" : vertex(p); }
   /// "face 3", or "faces[3]".
   std::string face(std::size_t f) const {

@@ -6,7 +6,8 @@
 
 namespace geodrome {
 
-/// What the input holds and, if stages 1 to 4 ran, what came of the sample, remedies in the words of the observer.
+/// Reports what the input holds and, if stages 1 to 4 ran, what came of the sample; remedies are in the words of the
+/// observer.
 CheckReport check_report(const JobStart& start, const Observer& observer);
 
 }  // namespace geodrome

@@ -19,7 +19,7 @@ SolverPlugin load_solver(const PluginHost& host, const std::string& selection, P
 /// Reads and checks the file, and tells the observer what was found (of a mesh: warnings only).
 Input read_and_tell(const std::filesystem::path& file, const RunSettings& settings, Observer& observer);
 
-/// What a job stands on once it has begun.
+/// The input, the surface and, for a cloud, the sample's report that a job starts from.
 struct JobStart {
   Opened opened;
   std::optional<SampleReport> sample;  ///< of a cloud, refused or not

@@ -19,7 +19,7 @@
 ///     payload    what the plugin saved, up to the end of the file
 namespace geodrome {
 
-/// What an oracle belongs to. Two runs may share one exactly if these are equal.
+/// The identity of an oracle's index. Two runs may share an index exactly if their identities are equal.
 struct IndexIdentity {
   std::string solver;                          ///< "solver_aleksandrov"
   std::map<std::string, std::string> options;  ///< all of them; numbers in their shortest text, so that 0.10 is 0.1

@@ -7,8 +7,8 @@
 #include "geodrome/engine/pipeline.hpp"
 #include "geodrome/engine/plugin_host.hpp"
 
-/// How the engine's values look in reports. Numbers that are not finite become the strings "inf" and "nan", since JSON
-/// has none. Members keep the order in which they are written here.
+/// The form of the engine's values in reports. Numbers that are not finite become the strings "inf" and "nan", since
+/// JSON has none. Members keep the order in which they are written here.
 namespace geodrome {
 
 using Json = nlohmann::ordered_json;

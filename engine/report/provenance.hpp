@@ -11,7 +11,7 @@
 #include "engine/search/prepared_solver.hpp"
 #include "engine/surface/opened.hpp"
 
-/// What the reports of all jobs have in common.
+/// The parts that the reports of all jobs have in common.
 namespace geodrome {
 
 std::uint64_t peak_memory_bytes();
@@ -23,7 +23,7 @@ Json settings_json(const RunSettings& settings);
 void add_surface(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,
                  const SurfaceFacts& surface);
 
-/// The same with the input, and with the solver as the last stage.
+/// Surface, sample report and stages, as `add_surface`, with the input, and with the solver as the last stage.
 void add_provenance(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,
                     const SurfaceFacts& surface, const PreparedSolver& solver);
 

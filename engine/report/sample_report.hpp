@@ -14,13 +14,13 @@
 
 namespace geodrome {
 
-/// How far the live points of the input lie from the surface, units of the input.
+/// The distance of the live points of the input from the surface, in units of the input.
 struct SurfaceDistance {
   double largest = 0, root_mean_square = 0;
   Index farthest_row = no_index;
 };
 
-/// What experience says, apart from the paper: `unknown` where nothing that would tell was measured.
+/// The verdict of experience, apart from the paper: `unknown` if nothing that would tell was measured.
 struct Practice {
   enum class Verdict { good, fair, doubtful, refused, unknown };
   Verdict verdict = Verdict::unknown;
@@ -37,7 +37,7 @@ struct Refusal {
   std::string plugin, reason, remedy;
 };
 
-/// What the user is told about a sample.
+/// The report on a sample, as the user is told it.
 struct SampleReport {
   SampleFacts facts;
   double diagonal = 0;                      ///< of the input's bounding box

@@ -13,7 +13,7 @@ namespace geodrome {
 /// "project", "insert", "printed": how options and reports name it.
 std::string_view name(ProjectionRule rule);
 
-/// What distances of this rule do not promise, in one sentence for the report; empty for `project`.
+/// Returns what distances by this rule do not promise, in one sentence for the report; empty for `project`.
 std::string_view caveat(ProjectionRule rule);
 
 /// Throws OptionError if the rule means nothing for this input or these sources, CapabilityError, naming the

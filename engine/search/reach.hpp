@@ -11,14 +11,15 @@
 
 namespace geodrome {
 
-/// How the entries of a matrix are to be read.
+/// Counts of the entries of a matrix by what they mean.
 struct ReachCounts {
   std::uint64_t reached = 0, beyond_limit = 0, unreachable = 0, not_computed = 0;
   /// Faults of a solver: +inf within a component though no limit was set, and a number across components.
   std::uint64_t missed = 0, impossible = 0;
 };
 
-/// How outputs name what came of a distance; NaN is that of a point that was dropped.
+/// Returns the word of outputs for the outcome of a distance: "dropped" for NaN, which stands for a point that was
+/// dropped.
 inline const char* reach_word(double distance, Reach reach) {
   if (std::isnan(distance)) return "dropped";
   if (reach == Reach::reached) return "reached";

@@ -43,7 +43,7 @@ class RowMaker {
 
   /// The counters of all searches so far.
   std::map<std::string, std::uint64_t> counters() const { return counters_.sums(); }
-  /// How the sources so far became vertices; none for `project`.
+  /// Counts the sources so far by the way in which they became vertices; empty for `project`.
   std::map<std::string, std::uint64_t> insertions() const;
 
  private:

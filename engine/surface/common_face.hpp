@@ -42,8 +42,8 @@ class CommonFace {
     return b;
   }
 
-  /// The same point on the next face that holds it; from there on around all of them, back to where it began. The point
-  /// itself if it lies inside its face or on the border. O(degree).
+  /// Returns the point named on the next face that holds it; calling this again goes around all of them, back to where
+  /// it began. Returns the point itself if it lies inside its face or on the border. O(degree).
   SurfacePoint on_next_face(const SurfacePoint& point) const {
     const auto corner = std::ranges::find_if(point.b, [](double b) { return b != 0; }) - point.b.begin();
     const std::span<const Index> faces = faces_at(mesh_.triangles()[point.face][corner]);
@@ -55,8 +55,8 @@ class CommonFace {
     return point;
   }
 
-  /// What the straight way between two points costs in the cheapest face that holds both: its length times the face's
-  /// weight. Nothing if no face holds both. O(the lowest degree of the corners that p depends on).
+  /// Returns the cost of the straight way between two points in the cheapest face that holds both: its length times the
+  /// face's weight. Returns nothing if no face holds both. O(the lowest degree of the corners that p depends on).
   std::optional<double> straight(const SurfacePoint& p, const SurfacePoint& q) const {
     // A face that holds p holds each corner that p depends on: the one with the fewest faces is enough.
     std::span<const Index> faces;

@@ -7,7 +7,7 @@
 
 namespace geodrome {
 
-/// What a unit of length costs in a face: 1 on a mesh without weights.
+/// Returns the cost of a unit of length in a face: 1 on a mesh without weights.
 inline double weight_of(const SurfaceMesh& mesh, Index face) {
   return mesh.face_weights().empty() ? 1 : mesh.face_weights()[face];
 }

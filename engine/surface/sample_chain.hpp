@@ -36,7 +36,7 @@ class SampleChain {
     std::vector<Finding> findings;
     std::shared_ptr<const PointInserter> inserter;
   };
-  /// What came of one stage: a value, or the exception that it threw, and the records that it left.
+  /// The outcome of one stage: a value, or the exception that it threw, and the records that it left.
   template <class Value>
   struct Outcome {
     std::optional<Value> value;

@@ -9,7 +9,7 @@
 namespace geodrome {
 namespace {
 
-/// Is small enough to share the work evenly, and large enough that taking a chunk costs nothing.
+/// Chunks are small enough to share the work evenly, and large enough that taking one costs nothing.
 constexpr std::size_t chunk_size = 512;
 
 }  // namespace

@@ -34,7 +34,7 @@ Propagation::Split Propagation::split_at(const Apex& apex, Front& front, double 
   return split;
 }
 
-/// Returns the split at generator `best`, which is `g`. It owns the apex if it has a ray to it.
+/// Returns the split at generator `best`, which is `g`. Generator `best` owns the apex if it has a ray to it.
 Propagation::Split Propagation::around(const Generator& g, std::size_t best, const Front& front, const Apex& apex) {
   const double x = apex.x, y = apex.y;
   if (!g.reaches(x, y)) {

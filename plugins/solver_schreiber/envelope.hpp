@@ -19,7 +19,7 @@ using Pieces = std::vector<Piece>;
 /// generators that are in no order with each other are separated by a lower envelope. O(n).
 Pieces pieces_of(const Sequence<Generator>& front, double length);
 
-/// The lower envelope of two lists of ascending pieces. O(n + m).
+/// Returns the lower envelope of two lists of ascending pieces: at every place the nearer generator. O(n + m).
 Pieces nearest_pieces(const Pieces& a, const Pieces& b);
 
 }  // namespace geodrome::schreiber

@@ -113,8 +113,8 @@ void FrontEditor::aim_high(Front& front, std::size_t i, Generator g, double px, 
   set_high(front, i, g);
 }
 
-/// Keys are computed anew here because a key may rest on a ray that is cut. (Where only a neighbour's ray is cut, or a
-/// neighbour is removed, the old key is not too large.)
+/// Computes keys anew because a key may rest on a ray that is cut. (Where only a neighbour's ray is cut, or a neighbour
+/// is removed, the old key is not too large.)
 void FrontEditor::end_at(Front& front, double px, double py) {
   Generator room;
   const bool all = front.size() <= short_front;

@@ -17,7 +17,7 @@ namespace geodrome::schreiber {
 using Front = Sequence<Generator>;
 using FrontPool = Front::Pool;
 
-/// Fronts of at most so many generators are looked at whole where longer ones are searched. That costs little, and
+/// Fronts of at most so many generators are looked at whole, where longer ones are searched: that costs little, and
 /// finds generators that rounding has put out of order.
 inline constexpr std::size_t short_front = 32;
 
@@ -52,7 +52,7 @@ class FrontEditor {
  public:
   explicit FrontEditor(FrontPool& pool) : pool_(pool) {}
 
-  /// Recomputes the key of generator i, if there is one, after a neighbour of it changed.
+  /// Recomputes the key of generator i after a neighbour of it changed; does nothing if there is no generator i.
   void renew_key(Front& front, std::size_t i);
 
   /// Recomputes the keys of generators i - 1 and i after they became neighbours, or of the one that became outermost.
@@ -82,9 +82,9 @@ class FrontEditor {
   /// there were some. Only generators with keys up to `until` can have died.
   bool bury(Front& front, double length, double until, const Before& before);
 
-  /// Remove all rays to the right (left) of a point, at which the front ends (begins) from now on. In a short front all
-  /// generators are looked at; in a longer one only those in a row at that end, since behind the row only dead
-  /// generators have such rays.
+  /// Remove all rays to the right (left) of a point, at which the front ends (begins) from now on. All generators of a
+  /// short front are looked at; of a longer one only those in a row at that end, since only dead generators have such
+  /// rays behind the row.
   void end_at(Front& front, double px, double py);
   void begin_at(Front& front, double px, double py);
 
@@ -94,7 +94,7 @@ class FrontEditor {
   /// Appends `right`, all rays of which enter to the right of those of `left`.
   void join(Front& left, Front right, double length);
 
-  /// Merges two fronts of which no order is known: at each place of the half-edge the nearest generator stays. A
+  /// Merges two fronts of which no order is known: the nearest generator stays at each place of the half-edge. A
   /// generator may come out in pieces. O(n + m).
   void merge(Front& front, Front other, double length);
 

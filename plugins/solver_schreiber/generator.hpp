@@ -13,9 +13,9 @@
 namespace geodrome::schreiber {
 
 /// A source image of a wavefront: a pseudo-source unfolded into the plane of a face, with the wedge between two rays
-/// that contains its straight paths. Where wedges overlap, the nearer generator counts. The outer ray of the first and
+/// that contains its straight paths. The nearer generator counts where wedges overlap. The outer ray of the first and
 /// of the last generator of a front is a real path. Wedges inside a front are wider than their real paths; the
-/// neighbours keep them in check (`right_has`). In the frame of a half-edge images are at y <= 0 and wedges open
+/// neighbours keep them in check (`right_has`). Images are at y <= 0 in the frame of a half-edge, and wedges open
 /// upwards; `low` is the ray on the side of the half-edge's start.
 struct Generator {
   double x, y, sigma;     ///< the image; the distance travelled before it
@@ -68,8 +68,8 @@ struct Generator {
            high_x * low_y - high_y * low_x <= 4 * std::numeric_limits<double>::epsilon();
   }
 
-  /// Return where the rays meet a half-edge of `length`, or its nearer end. If only one ray climbs, the other is beyond
-  /// the end on its side; if neither does, both are beyond one end.
+  /// Return where the rays meet a half-edge of `length`, or its nearer end. The other ray is beyond the end on its side
+  /// if only one climbs; both are beyond one end if neither does.
   double low(double length) const {
     if (climbs(low_y)) return place(low_x, low_y, length);
     return climbs(high_y) || low_x < 0 ? 0 : low_x > 0 ? length : std::clamp(x, 0.0, length);

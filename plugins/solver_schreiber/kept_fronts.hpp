@@ -21,8 +21,8 @@ struct Step {
 struct Crossing {
   double distance, place;
 };
-/// Returns the path to a point through a generator, straight or bent at the end of its claim of the half-edge. If no
-/// path shorter than `best` exists, `distance` is some value >= `best`.
+/// Returns the path to a point through a generator, straight or bent at the end of its claim of the half-edge.
+/// `distance` is some value >= `best` if no path shorter than that exists.
 Crossing way_through(const Generator& g, double length, double px, double py, double best);
 
 /// The shortest-path map: the fronts that were carried on, by half-edge. Fronts share their nodes.

@@ -23,8 +23,8 @@ class Rival {
         ray_x_(is_left ? rival.high_x : -rival.low_x),
         ray_y_(is_left ? rival.high_y : -rival.low_y) {}
 
-  /// Returns how far a ray of g goes before the rival is nearer on it. `begin` is the least length of the ray up to the
-  /// line on which the wavefront is.
+  /// Returns the length that a ray of g goes before the rival is nearer on it. `begin` is the least length of the ray
+  /// up to the line on which the wavefront is.
   double reach(double ux, double uy, double begin) const {
     const double nearing = 2 * (ux * wx_ + uy * wy_ - later_);
     const double equal = nearing > 0 ? product_ / nearing : infinity;

@@ -15,8 +15,8 @@
 
 namespace geodrome::schreiber {
 
-/// The memory of the nodes of sequences: in pages, with counted references; freed nodes are used again. Items are plain
-/// data.
+/// The memory of the nodes of sequences. Nodes lie in pages and count their references; freed ones are used again.
+/// Items are plain data.
 template <class Item>
 class NodePool {
  public:
@@ -99,7 +99,7 @@ class NodePool {
     --node->references;
     return copy;
   }
-  /// Does so for a leaf, with room for `count` items.
+  /// Returns a leaf with the same items and room for `count` that nobody else holds. Takes over the reference.
   Node* own_with_room(Node* node, std::size_t count) {
     if (node->references == 1 && room(node->kind) >= count) return node;
     Node* copy = leaf(count);
@@ -132,7 +132,7 @@ class NodePool {
   };
   static constexpr std::size_t page_bytes = 1 << 16, kinds = 8;
 
-  /// Returns how many items a leaf of this kind has room for. Kind 0 is inner nodes.
+  /// Returns the number of items that a leaf of this kind has room for. Kind 0 is inner nodes.
   static constexpr std::size_t room(std::uint8_t kind) { return std::size_t{1} << kind; }
   static std::size_t bytes_of(std::uint8_t kind) {
     const std::size_t bytes = kind == 0 ? sizeof(Inner) : sizeof(Leaf) - (leaf_size - room(kind)) * sizeof(Item);

@@ -17,7 +17,7 @@ struct SeededFace {
   Index number;
 };
 
-/// Follows kept fronts back to the source, face by face. In each face the generator is looked up again, so that no
+/// Follows kept fronts back to the source, face by face. The generator is looked up again in each face, so that no
 /// error of a direction adds up and thin triangles do no harm. Each front that is followed was kept before the one it
 /// leads from, so a path never goes round, not even where faces without area meet in one place. Points are appended
 /// with the face numbers of the mesh itself.

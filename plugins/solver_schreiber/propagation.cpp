@@ -19,7 +19,7 @@ bool is_close(const Generator& g, double length) {
   return -g.y <= close && 0 < g.x && g.x < length;
 }
 
-/// Exceeds the rounding of the distance at which a generator dies.
+/// The margin exceeds the rounding of the distance at which a generator dies.
 constexpr double event_margin = 1e-9;
 
 }  // namespace
@@ -91,7 +91,7 @@ void Propagation::process(Index half_edge) {
   pass(half_edge, std::move(front), ends, course);
 }
 
-/// Unites fronts of one entry. Unless they are loose, they came through the same half-edge.
+/// Unites fronts of one entry. The fronts came through the same half-edge unless they are loose.
 void Propagation::unite(Arrival& all, Arrival arrival, double length) {
   const bool is_loose = all.entry == Entry::loose;
   if (!is_loose && arrival.course.is_left_of(all.course)) {
@@ -136,8 +136,8 @@ void Propagation::pass(Index half_edge, Front front, Ends ends, Course course) {
   carry_on(apex, std::move(front), split, course, until);
 }
 
-/// Filters a front as Xin and Wang do: |image x| - x falls along the half-edge, so where the path over its start is
-/// shorter at x, it is shorter at every place before x too; likewise at the end.
+/// Drops outer generators of a front as Xin and Wang do: |image x| - x falls along the half-edge, so a path over its
+/// start that is shorter at x is shorter at every place before x too; likewise at the end.
 void Propagation::filter(Front& front, Ends& ends, double length, double at_start, double at_end) {
   const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
   const auto drop = [&](std::size_t i) {

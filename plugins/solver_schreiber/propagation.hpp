@@ -27,14 +27,14 @@ struct Counts {
 };
 
 /// Carries whole wavefronts over a surface from its sources, half-edge by half-edge, nearest first (Schreiber 2010).
-/// All distances are those of the packed mesh, and so are the numbers of faces and vertices. Used again and again: a
-/// run costs what it reaches.
+/// All distances are those of the packed mesh, and so are the numbers of faces and vertices. One object serves any
+/// number of runs; a run costs what it reaches.
 ///
 /// Distances are exact: the rays of a generator that count are straight paths that exist, so none is too short; a
 /// generator, or the part of its wedge on one side of a vertex, is dropped only by the lemma of ordered neighbours
 /// (ordered_pair.hpp) or where a path over a vertex is shorter, so the shortest path is never dropped. A run ends: a
-/// shortest path crosses no face twice, so fronts deeper than the number of faces are dropped; that leaves finitely
-/// many paths, and a vertex emits again only for a shorter one.
+/// shortest path crosses no face twice, so a front that has crossed as many faces as there are goes no farther; that
+/// leaves finitely many paths, and a vertex emits again only for a shorter one.
 ///
 /// The members are in propagation.cpp, but for what happens at an apex (at_apex.cpp) and after a run (ways.cpp).
 class Propagation : public VertexPropagation<Propagation, Step> {
@@ -44,7 +44,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   Propagation(const PackedMesh& surface, const Settings& settings);
 
-  /// Forgets the last run. With `keep` all fronts that are carried on are kept.
+  /// Forgets the last run. All fronts that are carried on are kept if `keep` is true.
   void begin(bool keep, double limit);
 
   Way way_to(const SurfacePoint& inner, double best) const;

@@ -6,10 +6,11 @@
 
 namespace geodrome {
 
-/// Exact distances by whole wavefronts in persistent trees: Schreiber (2010), after Schreiber and Sharir (2008).
+/// Computes exact distances by whole wavefronts in persistent trees: Schreiber (2010), after Schreiber and Sharir
+/// (2008).
 ///
-/// Any mesh: open, non-manifold, unoriented, with faces without area. A search allocates only while it grows; a run
-/// costs what it reaches: O(log n) for each event of a wavefront of n generators, measured about one event a face.
+/// Takes any mesh: open, non-manifold, unoriented, with faces without area. A search allocates only while it grows; a
+/// run costs what it reaches: O(log n) for each event of a wavefront of n generators, measured about one event a face.
 class SchreiberSolver final : public ShortestPathSolver {
  public:
   static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
@@ -19,7 +20,7 @@ class SchreiberSolver final : public ShortestPathSolver {
 
   explicit SchreiberSolver(const OptionValues&) {}
 
-  /// O(F log F). Throws CapabilityError for face weights.
+  /// Packs the mesh. O(F log F). Throws CapabilityError for face weights and for 2^30 half-edges or more.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;
 };
 

@@ -14,8 +14,8 @@ namespace geodrome::schreiber {
 /// ones are an AVL tree whose leaves are arrays, with a motion for each right child, so that joining, splitting and
 /// moving touch O(log n) nodes. Copies share nodes; a node that nobody else holds is changed where it is.
 ///
-/// An item has `moved(motion)` and a `key`; of these the least of any part is known. All items and motions given and
-/// returned are in the frame of the sequence. Not thread-safe; a pool belongs to one thread.
+/// An item has `moved(motion)` and a `key`; the least key of any part is known. All items and motions given and
+/// returned are in the frame of the sequence. A sequence is not thread-safe; its pool belongs to one thread.
 template <class Item>
 class Sequence {
  public:
@@ -212,7 +212,7 @@ class Sequence {
     return node;
   }
 
-  /// Precondition: the leaf of item i holds others.
+  /// Removes item i of a tree. Precondition: its leaf holds others.
   Node* without(Node* node, std::size_t i) {
     node = pool_->own(node);
     if (node->height == 0) {

@@ -8,7 +8,7 @@ namespace geodrome {
 /// The invariants of the rows, and that exactly the targets in a source's component are reached.
 std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed);
 
-/// What the solver states of its distances, held against the truth.
+/// Holds what the solver states of its distances against the truth.
 GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& true_rows,
                               const ComparisonTruth& truth);
 

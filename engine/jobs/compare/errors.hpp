@@ -12,13 +12,13 @@ using DistanceRows = std::vector<std::vector<double>>;
 /// Pairs are near below this share of the largest true distance, and far from the other one on.
 inline constexpr double near_share = 0.05, far_share = 0.25;
 
-/// Of |D / T - 1| over some pairs; meaningless if none were compared.
+/// The mean and the maximum of |D / T - 1| over some pairs; meaningless if none were compared.
 struct ErrorSummary {
   std::uint64_t compared = 0;
   double mean = 0, max = 0;
 };
 
-/// How often |D / T - 1| lies from one edge to below the next; what lies beyond the last is counted in the last bin.
+/// A histogram of |D / T - 1|. A bin holds values from one edge to below the next; the last one also those beyond.
 struct ErrorHistogram {
   std::vector<double> decades;        ///< log10 of the edges: half decades from -17, below all rounding, to 1
   std::vector<std::uint64_t> counts;  ///< one less

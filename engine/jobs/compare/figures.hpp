@@ -13,10 +13,11 @@
 #include "engine/checks/invariants.hpp"
 #include "geodrome/engine/input.hpp"
 
-/// What a comparison of combinations of plugins finds: the values of `geodrome compare`, before they become text.
+/// The figures that a comparison of combinations of plugins finds: the values of `geodrome compare`, before they become
+/// text.
 namespace geodrome {
 
-/// What preparing a surface and searching it from each source costs, on one thread.
+/// The cost of preparing a surface and of searching it from each source, on one thread.
 struct SearchCost {
   std::size_t vertices = 0, faces = 0;
   double prepare_seconds = 0;
@@ -79,7 +80,7 @@ struct ComparisonFigures {
   std::vector<CombinationFigures> combinations;
 };
 
-/// What the figures show that may not be: promised invariants and guarantees that are broken, one line each.
+/// Lists the promised invariants and guarantees that the figures show to be broken, one line each.
 std::vector<std::string> broken_promises(const ComparisonFigures& figures);
 
 }  // namespace geodrome

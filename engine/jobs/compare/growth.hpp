@@ -22,8 +22,8 @@ struct SamplePart {
 /// About `points` of the input's points; with the same seed a smaller part lies within a larger one, but for sources.
 SamplePart part_of(const Input& input, std::size_t points, std::span<const NamedPoint> sources, std::uint64_t seed);
 
-/// What combinations cost on the same input in other sizes: a mesh with its faces cut in 4, again and again; of a
-/// sample a half, a quarter, ... of the points. Inputs and surfaces are made once for all combinations.
+/// Measures what combinations cost on the same input in other sizes: a mesh with its faces cut in 4, again and again;
+/// of a sample a half, a quarter, ... of the points. Inputs and surfaces are made once for all combinations.
 class ComparisonGrowth {
  public:
   /// All but `levels` must outlive it. `levels` 0: no growth.

@@ -11,7 +11,7 @@
 
 namespace geodrome {
 
-/// What a solver states of its distances D, and what may be judged by the truth T.
+/// The statements of a solver on its distances D, and the means to judge them by the truth T.
 struct GuaranteeTerms {
   double factor = 1;            ///< D <= factor T; +inf: none
   bool never_shorter = true;    ///< D >= T

@@ -5,8 +5,8 @@
 
 namespace geodrome {
 
-/// The same surface with every face cut in 4 by the middles of its edges: vertices keep their numbers, each face's
-/// parts its weight, and every distance stays what it is up to the rounding of the new coordinates. Any mesh.
+/// Cuts every face in 4 by the middles of its edges. The surface stays the same: vertices keep their numbers, each
+/// face's parts its weight, and every distance stays what it is up to the rounding of the new coordinates. Any mesh.
 /// O(F log F).
 SurfaceMesh cut_in_four(const SurfaceMesh& mesh);
 

@@ -34,9 +34,10 @@ class ComparisonTruth {
   /// surface, or of the file, which must have been read. Throws what the solver throws.
   const DistanceRows& rows(const std::string& combination, const ComparedSurface& on, const DistanceRows& own);
 
-  /// Whether they are exact distances on that very surface: of a file, those of a mesh.
+  /// Tells whether the true rows are exact distances on the surface of the combination: those of an exact solver are,
+  /// those of a file if the input is a mesh.
   bool is_exact() const;
-  /// What rounding may do to an entry, of the largest one.
+  /// Returns the error that rounding may cause in an entry, as a share of the largest entry.
   double tolerance() const;
   TruthFigures figures() const;
 

@@ -8,8 +8,8 @@
 
 namespace geodrome {
 
-/// What the page of a comparison shows in space: surfaces, distances and errors at their vertices, paths; arrays as
-/// base64 of little-endian float32 and uint32.
+/// The data that the page of a comparison shows in space: surfaces, distances and errors at their vertices, paths;
+/// arrays as base64 of little-endian float32 and uint32.
 class ComparisonView {
  public:
   /// `input` must outlive it. `paths`: per source to its farthest target and seeded others.

@@ -11,7 +11,7 @@
 
 namespace geodrome {
 
-/// What became of a matrix.
+/// The result of making a matrix.
 struct MatrixResult {
   std::uint64_t rows = 0, columns = 0, bytes = 0, resumed_rows = 0;
   double first_row_seconds = 0, seconds = 0;

@@ -40,7 +40,7 @@ static_assert(oldest_interface_version <= interface_version);
 #define GEODROME_STANDARD_LIBRARY "libstdc++-old"
 #endif
 
-/// What both sides must share for C++ objects to cross: standard library, sanitizer, scalar type.
+/// The properties that both sides must share for C++ objects to cross: standard library, sanitizer, scalar type.
 inline constexpr char build_tag[] = GEODROME_STANDARD_LIBRARY " " GEODROME_SANITIZER " double";
 
 /// Name of the entry, type `const PluginDescriptor* (*)()`.
@@ -52,8 +52,9 @@ struct ErrorSink {
   void (*report)(void* receiver, bool is_option_error, const char* message) noexcept;
 };
 
-/// What a plugin is. The first three members never change place, so that hosts of any version can read them. Members
-/// are only ever added at the end: those beyond `size` are absent, which a host of a later version takes for null.
+/// The descriptor of a plugin. The first three members never change place, so that hosts of any version can read them.
+/// Members are only ever added at the end: those beyond `size` are absent, which a host of a later version takes for
+/// null.
 struct PluginDescriptor {
   std::uint32_t size;               ///< sizeof(PluginDescriptor) where the plugin was built
   std::uint32_t interface_version;  ///< geodrome::interface_version there

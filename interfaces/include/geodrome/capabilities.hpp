@@ -8,7 +8,7 @@
 
 namespace geodrome {
 
-/// What a solver can do beyond distances from vertices to vertices: a set of bits, `Provides::paths |
+/// The abilities of a solver beyond distances from vertices to vertices: a set of bits, `Provides::paths |
 /// Provides::any_point`. 64 bits wide on every side of the border; a bit never changes its meaning.
 enum class Provides : std::uint64_t {
   nothing = 0,
@@ -25,7 +25,8 @@ enum class Provides : std::uint64_t {
   never_shorter = 1024,    ///< no distance is below the true one; a finite factor implies it, stated or not
 };
 
-/// What a plugin needs of a mesh, as a set of bits. The engine refuses other meshes before it asks the plugin.
+/// The properties that a plugin needs of a mesh, as a set of bits. The engine refuses other meshes before it asks the
+/// plugin.
 enum class Needs : std::uint64_t {
   nothing = 0,
   manifold = 1,  ///< SurfaceMesh::manifold

@@ -29,13 +29,13 @@ class GEODROME_VISIBLE Error : public std::runtime_error {
   }
 
   const char* what() const noexcept override { return text_.c_str(); }
-  /// What kind of error this is, for programs: "input.truncated", "option", "capability", "sample", "refused",
-  /// "plugin", "numerical", "cancelled".
+  /// The kind of this error, for programs: "input.truncated", "option", "capability", "sample", "refused", "plugin",
+  /// "numerical", "cancelled".
   virtual std::string_view code() const noexcept { return "error"; }
   const std::string& message() const noexcept { return message_; }
   /// The remedy in the words of the library; empty if there is none.
   const std::string& remedy() const noexcept { return remedy_.text; }
-  /// The same with its code and parameters, for programs that have words of their own.
+  /// The remedy with its code and parameters, for programs that have words of their own.
   const Remedy& coded_remedy() const noexcept { return remedy_; }
   const std::string& plugin() const noexcept { return plugin_; }
 
@@ -55,7 +55,7 @@ class GEODROME_VISIBLE Error : public std::runtime_error {
   Remedy remedy_;
 };
 
-/// What is wrong with an input; `name` gives the word that messages and reports use.
+/// The fault of an input; `name` gives the word that messages and reports use.
 enum class InputFault {
   io,           ///< a file cannot be opened, read or written
   empty,        ///< there is nothing in it, or no point and no face

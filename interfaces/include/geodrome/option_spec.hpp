@@ -7,7 +7,7 @@
 
 namespace geodrome {
 
-/// What an option takes: on or off, a whole number, a real number, one of several words.
+/// The type of an option: on or off, a whole number, a real number, one of several words.
 enum class OptionType : std::uint32_t { boolean, integer, number, choice };
 
 /// One option of a plugin, declared once: help, validation, `plugins show` and the run report derive from it.
@@ -44,7 +44,7 @@ constexpr OptionSpec choice_option(const char* name, const char* default_value, 
 /// "It is none of the choices."
 inline constexpr std::size_t no_choice = std::string_view::npos;
 
-/// How many words `choices` has.
+/// Returns the number of words in `choices`.
 constexpr std::size_t choice_count(std::string_view choices) {
   std::size_t count = 1;
   for (const char c : choices) count += c == '|';

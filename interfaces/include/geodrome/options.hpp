@@ -42,7 +42,7 @@ class OptionValues {
     }
   }
 
-  /// Whether an option is on. Throws std::invalid_argument if it is neither on nor off. All four accessors throw
+  /// Tells whether an option is on. Throws std::invalid_argument if it is neither on nor off. All four accessors throw
   /// std::out_of_range for a name that the plugin did not declare; both are errors in the plugin.
   bool boolean(std::string_view name) const {
     const std::string& value = text(name);

@@ -23,7 +23,7 @@ inline double exact_factor(const OptionValues*) noexcept { return 1; }
 /// `PluginTraits::factor` of a solver that guarantees nothing, and of the plugins of all other stages.
 inline double no_factor(const OptionValues*) noexcept { return std::numeric_limits<double>::infinity(); }
 
-/// What an author says of a plugin; the stage follows from the class.
+/// The description that an author gives of a plugin; the stage follows from the class.
 struct PluginTraits {
   const char* name;     ///< without the stage: "chen_han"
   const char* summary;  ///< one line: method and source

@@ -7,9 +7,9 @@
 
 namespace geodrome {
 
-/// What a user can do about an error or a finding: a sentence and, where a program may want to say it in words of its
-/// own, a stable code with parameters. The sentence speaks of members and functions, never of the flags of
-/// a command line. Plugins may give the sentence alone.
+/// The remedy for an error or a finding, which says what a user can do: a sentence and, where a program may want to say
+/// it in words of its own, a stable code with parameters. The sentence speaks of members and functions, never of the
+/// flags of a command line. Plugins may give the sentence alone.
 struct Remedy {
   Remedy() = default;
   Remedy(std::string sentence) : text(std::move(sentence)) {}  // NOLINT: a sentence is a remedy

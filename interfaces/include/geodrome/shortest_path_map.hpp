@@ -11,7 +11,7 @@
 
 namespace geodrome {
 
-/// Whether a distance is one, and if not, why it is +inf.
+/// The reason why a distance is +inf, or `reached` if it is finite.
 enum class Reach : std::uint8_t {
   reached,
   beyond_limit,  ///< farther than the request's radius, or not reached because the search was stopped early
@@ -50,8 +50,8 @@ class GEODROME_VISIBLE ShortestPathMap {
   /// Empty if the point was not reached. Needs Keep::map.
   virtual void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const = 0;
 
-  /// What the search counted, for the run report. Names are snake case: a-z, 0-9 and _, from a letter; each is there
-  /// once.
+  /// Returns what the search counted, for the run report. Names are snake case: a-z, 0-9 and _, from a letter; each is
+  /// there once.
   virtual std::span<const Counter> counters() const = 0;
 };
 

@@ -21,13 +21,13 @@ struct Source {
   double start = 0;
 };
 
-/// How much of the result must be kept.
+/// The part of the result that must be kept.
 enum class Keep : std::uint8_t {
   targets,  ///< vertices and the given targets only: little memory
   map       ///< any point, and paths
 };
 
-/// What is wanted of a search. A solver refuses, with a CapabilityError, what it does not state to provide.
+/// A request to a search. A solver refuses, with a CapabilityError, what it does not state to provide.
 struct Request {
   double radius = std::numeric_limits<double>::infinity();  ///< distances above it are not wanted
   std::span<const SurfacePoint> targets;                    ///< points beside the vertices; must outlive the run

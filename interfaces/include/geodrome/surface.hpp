@@ -129,7 +129,7 @@ class SurfaceMesh {
   detail::Connectivity connectivity_;
 };
 
-/// How meshes are handed over: shared, never changed, kept alive by whoever holds one.
+/// A mesh as it is handed over: shared, never changed, kept alive by whoever holds it.
 using MeshPtr = std::shared_ptr<const SurfaceMesh>;
 
 }  // namespace geodrome

@@ -12,7 +12,7 @@
 
 namespace geodrome {
 
-/// How a sample point became a vertex.
+/// The way in which a sample point became a vertex.
 enum class Insertion : std::uint8_t {
   existing,  ///< it is one already: the mesh is the reconstruction's own
   cavity,    ///< all faces around it whose sphere holds it gave way to its star

@@ -9,7 +9,7 @@
 
 namespace geodrome {
 
-/// What became of a point in a stage.
+/// The state of a point after a stage.
 enum class PointState : std::uint8_t {
   ok,
   unbounded,  ///< its planar Voronoi cell has no end: a boundary candidate

@@ -101,9 +101,8 @@ class LowerEnvelope {
 };
 
 /// Calls `emit(list, i, low, high)` for the pieces [low, high] of the lower envelope of two lists, from left to right:
-/// at every place the entry i of `list` (one of the two) that is nearest there; of entries that tie, that of `a`.
-/// Nothing is known about the order in which rays enter, so an entry may come out in several pieces. `a` and `b` are
-/// two objects. O(n + m).
+/// in each of them entry i of `list` (one of the two) is nearest; that of `a` if two tie. Nothing is known about the
+/// order in which rays enter, so an entry may come out in several pieces. `a` and `b` are two objects. O(n + m).
 template <PieceList List, class Emit>
 void lower_envelope(const List& a, const List& b, Emit&& emit) {
   LowerEnvelope<List, Emit>(a, b, emit).sweep();

@@ -40,8 +40,8 @@ enum class PairOrder {
 /// ray of the right image at or before `right_high` <= `left_low`: the rays have changed sides in the face below. The
 /// lemma, with the point where the two nearest rays cross for x, drops the image that is farther there. Images that tie
 /// there decide nothing unless the rays cross at an angle by which the way over the crossing is longer than a straight
-/// one. If rounding has moved the crossing off the rays, an image is dropped only where the other one is nearer at the
-/// end of its own ray. O(1).
+/// one. An image is dropped only where the other one is nearer at the end of its own ray, if rounding has moved the
+/// crossing off the rays. O(1).
 template <class Image>
 PairOrder settle_reversed_pair(const Image& left, double left_low, const Image& right, double right_high) {
   const double ux = left_low - left.x, uy = -left.y, vx = right_high - right.x, vy = -right.y;

@@ -27,8 +27,8 @@ template <class P>
 concept StartsOnMesh = requires(P& propagation, const Source& source, Index number) {
   typename P::Settings;
   requires std::constructible_from<P, const PackedMesh&, const typename P::Settings&>;
-  /// begin(keep, limit): forgets the last run, even one that was stopped. Nothing beyond the limit is wanted. With
-  /// `keep` the run keeps what `way_to`, `trace` and `trace_from_vertex` need.
+  /// begin(keep, limit): forgets the last run, even one that was stopped. Nothing beyond the limit is wanted. The run
+  /// keeps what `way_to`, `trace` and `trace_from_vertex` need if `keep` is true.
   { propagation.begin(true, 0.0) } -> std::same_as<void>;
   /// seed(source, number): starts at a source. Its start distance is in the packed mesh's units, its point has the face
   /// number of the mesh itself.
@@ -39,8 +39,8 @@ concept StartsOnMesh = requires(P& propagation, const Source& source, Index numb
 };
 
 /// The part of a propagation that PropagationSearch runs: run(context, lower_limit) goes on until nothing below the
-/// limit is left. It calls `double lower_limit()`, which returns a new limit if that is lower, once in `steps_a_poll`
-/// of its steps, so that looking at a target costs about one step. May throw Cancelled.
+/// limit is left. The run calls `double lower_limit()` once in `steps_a_poll` of its steps, so that looking at a target
+/// costs about one step; the result becomes the limit if it is lower. May throw Cancelled.
 template <class P>
 concept RunsToLimit = requires(P& propagation, const RunContext& context, double (&lower_limit)()) {
   { P::steps_a_poll } -> std::convertible_to<std::size_t>;

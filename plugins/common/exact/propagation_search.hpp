@@ -38,8 +38,9 @@ class PropagationSearch final : public KeptSearch {
   void trace(const SurfacePoint& point, const Distance& distance, std::vector<SurfacePoint>& out) const override;
 
   using Way = typename Propagation::Way;
-  /// The shortest path to a point that crosses no edge: from a corner of its face, or, if `corner` is no_index,
-  /// straight from a source in the face.
+  /// A path to a point without what tracing it takes. `plain_way` finds the shortest one that crosses no edge: from the
+  /// vertex `corner` of the point's face, or, if that is no_index, straight from a source in the face. `watched_way`
+  /// also returns one that a wavefront found, across any edges, with no_index for `corner`.
   struct PlainWay {
     double distance = infinity;
     Index source = no_index, corner = no_index;

@@ -5,12 +5,12 @@
 
 namespace geodrome {
 
-/// A path is worse than another only if it is longer by this share. That is more than the rounding of any path, so that
-/// of two equal paths neither is dropped for the other.
+/// A path is worse than another only if it is longer by this share. The share exceeds the rounding of any path, so that
+/// neither of two equal paths is dropped for the other.
 inline constexpr double rounding_share = 1e-13;
 
-/// Two places nearer to each other than this share of the length of an edge cannot be told apart any more, seen from
-/// that edge.
+/// Two places cannot be told apart any more, seen from an edge, if they are nearer to each other than this share of its
+/// length.
 inline constexpr double close_share = 1e-8;
 
 /// A half-edge leaves the queue at the least distance of what waits there plus this share of its length: late enough

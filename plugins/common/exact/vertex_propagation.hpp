@@ -28,8 +28,8 @@ struct PseudoSource {
 
 /// The base of exact propagations, whatever carries their straight lines across faces: labels of vertices, paths along
 /// edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances are
-/// those of the packed mesh, and so are the numbers of faces and vertices. It makes up a part of MeshPropagation
-/// (propagation.hpp).
+/// those of the packed mesh, and so are the numbers of faces and vertices. The base has the members of MeshPropagation
+/// (propagation.hpp) that do not depend on these lines: `seed`, `watched`, `run`, `labels`.
 ///
 /// `Step` is that of Labels, with a member `vertex` for a path along an edge from that vertex. A `Solver` derives from
 /// VertexPropagation<Solver, Step>, so that calls are bound when it is compiled, and has
@@ -54,8 +54,9 @@ class VertexPropagation {
   std::vector<Watched>& watched() { return watched_; }
   const std::vector<Watched>& watched() const { return watched_; }
 
-  /// Carries on until nothing below the limit is left. `lower_limit()` is called now and then and may return a new
-  /// limit. May throw Cancelled.
+  /// Takes what waits, the nearest first, until nothing is left; nothing is sent on from beyond the limit that `begin`
+  /// set. `lower_limit()` is called once in `steps_a_poll` steps, and its result becomes the limit if it is lower.
+  /// Throws Cancelled if the user stops the run.
   template <class LowerLimit>
   void run(const RunContext& context, LowerLimit&& lower_limit) {
     for (std::size_t step = 0; !solver().waiting().empty(); ++step) {
@@ -162,8 +163,9 @@ void VertexPropagation<Solver, Step>::lower_apex_from(const Apex& apex, const Ps
   lower(vertex, {distance, side, apex.left(), source_of(from.origin)}, step());
 }
 
-/// Lets a vertex emit to all sides if a path reaches it from a pseudo-source in the same place and is about as short as
-/// its own: which of the two is the shorter is rounding.
+/// Lets a vertex emit to all sides, and queues it again, if `distance` is about that of its label: which of the two is
+/// the shorter is rounding. `distance` belongs to a path from a pseudo-source in the place of the vertex itself, up to
+/// rounding; `length` is that of the half-edge it came through.
 template <class Solver, class Step>
 void VertexPropagation<Solver, Step>::widen(Index vertex, double distance, double length) {
   const double present = labels_.distance(vertex);

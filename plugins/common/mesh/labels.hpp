@@ -32,7 +32,7 @@ inline constexpr Angle no_angle{0, 0};
 struct Label {
   double distance = infinity;
   /// The side from which the path comes: this angle counterclockwise from half-edge `corner`, which starts at the
-  /// vertex. It is known at saddles only. Without a corner the vertex is a source.
+  /// vertex. The side is known at saddles only. The vertex is a source if there is no corner.
   Angle side;
   Index corner = no_index;
   Index source = no_index;  ///< of the request
@@ -60,8 +60,9 @@ class Labels {
     with_steps_ = with_steps;
   }
 
-  /// Sets the label of a vertex. Precondition: label.distance is lower than the present one. If it is lower by next to
-  /// nothing, a vertex that emits to all sides still does.
+  /// Replaces the label of a vertex and, if steps are kept, its step. A vertex that emits to all sides still does if
+  /// the new distance is lower by next to nothing; otherwise the side of `label` counts. Precondition: label.distance
+  /// is lower than the present one.
   void set(Index vertex, const Label& label, const Step& step) {
     constexpr double next_to_nothing = 1e-9;
     const Label present = labels_[vertex];

@@ -28,7 +28,8 @@ CellRadius CellRadiusFinder::operator()(Index site, const Vec3& normal) {
                     "the sample needs more points around it");
 }
 
-/// The bisector of the site and `other`, cut by the plane: x.d <= |d|^2 / 2 with d = other - site.
+/// Cuts the cell by the bisector of the site and `other`, in the plane: x.d <= |d|^2 / 2 with d = other - site. Returns
+/// false if nothing was cut off.
 bool CellRadiusFinder::cut(Index other) {
   const Vec3 d = neighbours_.points()[other] - origin_;
   const double x = dot(d, u_), y = dot(d, v_);
@@ -52,8 +53,9 @@ bool CellRadiusFinder::cut_by_near(Index site) {
   return false;
 }
 
-/// A corner is final if no point is nearer to it than the site; if one is, it cuts the corner off. Asking the corners
-/// ends after a few questions also for cells without an end, where the other way would go through the whole sample.
+/// Cuts off every corner that has a point nearer to it than the site, by that point; a corner with none is final.
+/// Asking the corners ends after a few questions also for cells without an end, where the other way would go through
+/// the whole sample.
 void CellRadiusFinder::cut_by_far(Index site) {
   tried_.assign(1, site);
   for (const CellCorner& c : cell_.corners()) tried_.push_back(c.edge.site);

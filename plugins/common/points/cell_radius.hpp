@@ -9,7 +9,7 @@
 
 namespace geodrome {
 
-/// phi of one point, and whether its planar cell has an end.
+/// The value phi of one point, with a flag for a planar cell that has an end.
 struct CellRadius {
   double phi = 0;
   bool bounded = false;
@@ -23,19 +23,19 @@ double sample_reach(std::span<const Vec3> points);
 /// the cell of s in space cut by the tangent plane through s. Exact up to rounding: no neighbour that matters is
 /// missed.
 ///
-/// Where the cell has no end (a corner farther than `reach`, or none), phi is the distance of the farthest real vertex,
-/// and if there is no such vertex, of the farthest edge: both are distances that the cell certainly reaches. Keeps
-/// buffers: one object per thread.
+/// phi of a cell without an end (with a corner farther than `reach`, or with none on some side) is the distance of the
+/// farthest real vertex, or of the farthest edge if there is no such vertex: both are distances that the cell certainly
+/// reaches. Keeps buffers: one object per thread.
 class CellRadiusFinder {
  public:
-  /// `reach`: how far a cell may go before it counts as one without an end. `neighbours` must outlive this object.
+  /// Sets how far a cell may go before it counts as one without an end: `reach`. `neighbours` must outlive this object.
   CellRadiusFinder(const Neighbours& neighbours, double reach) : neighbours_(neighbours), reach_(reach) {}
 
   /// Computes phi of a site. `normal` is a unit vector. Throws SampleError if no other point limits the cell of `site`.
   /// O(log n) typically.
   CellRadius operator()(Index site, const Vec3& normal);
 
-  /// Return the cell of the last call, in its tangent plane, and where a corner of it is in space.
+  /// Return the cell of the last call, in its tangent plane, and the place in space of a corner of it.
   const PlanarCell& cell() const noexcept { return cell_; }
   Vec3 position(const CellCorner& corner) const { return origin_ + corner.x * u_ + corner.y * v_; }
 

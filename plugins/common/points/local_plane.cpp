@@ -13,10 +13,10 @@ namespace {
 
 /// A neighbourhood whose variance across is below this share of its variance along may be a row of a scan: it grows.
 constexpr double thin_ratio = 0.1;
-/// Beyond so many neighbours a thin neighbourhood is taken as it is.
+/// A thin neighbourhood of so many neighbours is taken as it is.
 constexpr std::size_t enough_neighbours = 400;
-/// Variance across, relative to along, below which points are on a line. Eigenvalues are known to some 1e-15 of the
-/// largest, so a normal found above this ratio is off by a milliradian at most.
+/// Points are on a line if their variance across is below this share of that along. Eigenvalues are known to some 1e-15
+/// of the largest, so a normal found above this ratio is off by a milliradian at most.
 constexpr double collinear_ratio = 1e-12;
 
 }  // namespace

@@ -14,7 +14,7 @@ struct LocalPlane {
   double ratio = 0;     ///< variance across over variance along: 0 on a line
   std::size_t k = 0;    ///< how many neighbours it took to find it
 
-  /// Is true if all points are on one line up to rounding, so that the normal means nothing.
+  /// Tells whether all points are on one line up to rounding, so that the normal means nothing.
   bool collinear() const;
 };
 
@@ -22,13 +22,13 @@ struct LocalPlane {
 /// O(neighbours).
 LocalPlane plane_of(const std::vector<Vec3>& points, const Vec3& base, const std::vector<Neighbour>& around);
 
-/// Returns the plane of point `at` and its `k` nearest neighbours, ties at the last place included. While the
-/// neighbourhood is thin (variance across below a tenth of that along: it may be a row of a scan) k is doubled, up to
-/// 400, and further only while it is on one line up to rounding. Leaves the neighbours in `around`. The result is
-/// `collinear` only if the whole sample is.
+/// Returns the plane of point `at` and its `k` nearest neighbours, ties at the last place included. k is doubled while
+/// the neighbourhood is thin (variance across below a tenth of that along: it may be a row of a scan), up to 400, and
+/// further only while it is on one line up to rounding. Leaves the neighbours in `around`. The result is `collinear`
+/// only if the whole sample is.
 LocalPlane grown_plane(const Neighbours& neighbours, Index at, std::size_t k, std::vector<Neighbour>& around);
 
-/// Return the error for a sample whose points are on a line, and for one of less than three points.
+/// Throw SampleError: for a sample whose points are on a line; for one of less than three points.
 [[noreturn]] void throw_collinear(Index at, std::size_t sample_size);
 void require_three_points(std::size_t sample_size);
 

@@ -17,8 +17,9 @@ struct Neighbour {
   friend auto operator<=>(const Neighbour&, const Neighbour&) = default;
 };
 
-/// Exact neighbour search among fixed points: a kd-tree of FLANN (`KDTreeSingleIndex`), without its traps: results are
-/// complete, in double precision, sorted by distance and then index, and do not depend on how the tree came out.
+/// Searches neighbours among fixed points exactly, by a kd-tree of FLANN (`KDTreeSingleIndex`) without its traps:
+/// results are complete, in double precision, sorted by distance and then index, and do not depend on the shape of the
+/// tree.
 ///
 /// Every search replaces `out` and leaves out the point `without`, where one is given. Immutable; thread-safe.
 class Neighbours {
@@ -33,8 +34,9 @@ class Neighbours {
   std::size_t size() const noexcept;
   const std::vector<Vec3>& points() const noexcept;
 
-  /// Finds the `k` nearest points, or all there are. A longer search begins with the results of a shorter one, so that
-  /// going through neighbours in increasing distance is: search, use, double k. O(k log n) typically.
+  /// Finds the `k` nearest points, or all points if there are fewer. A longer search begins with the results of a
+  /// shorter one, so that going through neighbours in increasing distance is: search, use, double k. O(k log n)
+  /// typically.
   void nearest(const Vec3& query, std::size_t k, std::vector<Neighbour>& out, Index without = no_index) const;
 
   /// Finds the `k` nearest points and all that are as far as the last of them, to a relative 1e-9: unlike the `k`

@@ -11,8 +11,8 @@ namespace {
 /// six digits.
 constexpr double parallel_sine = 1e-10;
 
-/// Returns where `cutter` crosses `edge`, which runs from a corner inside to `outer`. If the two are one line, the
-/// corner stays: so an edge without an end keeps having none.
+/// Returns where `cutter` crosses `edge`, which runs from a corner inside to `outer`. The corner `outer` stays if the
+/// two are one line, so an edge without an end keeps having none.
 CellCorner crossing(const HalfPlane& edge, const HalfPlane& cutter, const CellCorner& outer) {
   const double sine = edge.nx * cutter.ny - edge.ny * cutter.nx;
   if (std::abs(sine) <= parallel_sine) return outer;

@@ -21,19 +21,19 @@ struct CellCorner {
   HalfPlane edge;
 };
 
-/// The planar Voronoi cell of a site at the origin, while half-planes are cut away: a convex polygon that contains the
+/// The planar Voronoi cell of a site at the origin, while it is cut by half-planes: a convex polygon that contains the
 /// origin.
 ///
-/// It starts as the square of half-side 2 `reach`, whose edges stand for infinity. A corner is real if both its edges
-/// are bisectors and it is not farther than `reach`; any other means that the cell has no end. Corners are computed
-/// from their two edges, not from earlier corners, so errors do not add up.
+/// The cell starts as the square of half-side 2 `reach`; the edges of the square stand for infinity. A corner is real
+/// if both its edges are bisectors and it is not farther than `reach`; any other means that the cell has no end.
+/// Corners are computed from their two edges, not from earlier corners, so errors do not add up.
 class PlanarCell {
  public:
   /// Starts a new cell. `reach` > 0.
   void reset(double reach);
 
-  /// Cuts off everything outside `half_plane`, whose offset is positive; returns false if there was nothing.
-  /// O(corners).
+  /// Cuts off everything outside `half_plane`; returns false if there was nothing. Precondition: its offset is
+  /// positive. O(corners).
   bool cut(const HalfPlane& half_plane);
 
   const std::vector<CellCorner>& corners() const noexcept { return corners_; }

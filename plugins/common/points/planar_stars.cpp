@@ -11,11 +11,11 @@ namespace geodrome {
 namespace {
 
 /// Four points count as cocircular if their distances from the centre differ by less than this share: either way to
-/// split them serves as well. Far above the jitter of a stored lattice; a few percent of the triangles of a random
-/// sample.
+/// split them serves as well. The share is far above the jitter of a stored lattice, and holds of a few percent of the
+/// triangles of a random sample.
 constexpr double cocircular_tolerance = 0.03;
 
-/// More points than this on one circle are no lattice that the tangent plane shows.
+/// A circle with more points than this is no lattice that the tangent plane shows.
 constexpr std::size_t most_tied = 12;
 
 struct Star {
@@ -70,7 +70,7 @@ PlanarStars::PlanarStars(const Neighbours& neighbours, std::span<const Vec3> nor
   find_ties(neighbours, order, context, {middle, share.to});
 }
 
-/// Ties are looked at only where stars disagree: where they agree, ties add nothing.
+/// Finds ties only where stars disagree: they add nothing where stars agree.
 void PlanarStars::find_ties(const Neighbours& neighbours, const std::vector<Index>& order, RunContext& context,
                             ProgressShare share) {
   ties_.resize(size());

@@ -22,8 +22,8 @@ struct StarCorner {
 /// (Section 2.3, lines 1 to 3 of the restricted Delaunay tetrahedrization). The paper's surface is the union of the
 /// stars; they agree on a triangle when all three corners have it.
 ///
-/// Where more than three points are equally near to a corner of a cell (cocircular ties: lattices), a star has every
-/// triangle among them, since either way to split them serves as well.
+/// A star has every triangle among points of which more than three are equally near to a corner of a cell (cocircular
+/// ties, as in lattices), since either way to split them serves as well.
 ///
 /// Indices are those of the points of `neighbours`. Immutable; thread-safe.
 class PlanarStars {
@@ -45,7 +45,7 @@ class PlanarStars {
   /// Counts the corners of a triangle whose stars have it; `by_ties` tells whether it takes ties to find any of these.
   int holders(const std::array<Index, 3>& triangle, bool* by_ties = nullptr) const;
 
-  /// Returns how far the cell reaches; uncapped.
+  /// Returns the distance that the cell of a point reaches, as CellRadius::phi; uncapped.
   double radius(Index point) const { return radius_[point]; }
   bool bounded(Index point) const { return bounded_[point] != 0; }
 

@@ -8,7 +8,7 @@
 
 namespace geodrome {
 
-/// Keeps, where faces meet at a vertex in several fans, the largest fan (ties: of the lowest face) and drops the
+/// Keeps the largest fan (ties: that of the lowest face) of every vertex at which faces meet in several, and drops the
 /// others, until every vertex has one fan. Returns how many faces were dropped. Does nothing if an edge has over two
 /// faces.
 std::size_t drop_minor_fans(std::vector<Triangle>& faces, std::size_t vertex_count);
@@ -32,7 +32,7 @@ struct BoundaryFacts {
   std::vector<Index> some_vertices;  ///< the first few on a boundary
 };
 
-/// Loops and components of a manifold mesh.
+/// Counts the boundary loops and the components of a manifold mesh.
 BoundaryFacts boundary_facts(const SurfaceMesh& mesh);
 
 }  // namespace geodrome

@@ -19,7 +19,7 @@ struct LocalChange {
 ///
 /// The face or the edge that holds `closest` is split at the point; beyond a boundary the boundary edge gets a face
 /// instead. Then, as in Lawson's algorithm, an edge opposite to the point is flipped while the smallest sphere through
-/// the corners of the face behind it holds the point: what results is the star of the cavity of such faces. (The sphere
+/// the corners of the face behind it holds the point: the result is the star of the cavity of such faces. (The sphere
 /// and not the circle in the face's plane: it leaves out faces of another sheet and of a slope far off, and turns into
 /// the restricted Delaunay ball as the sample gets denser.) A flip is refused if it would lose a vertex, turn a face by
 /// more than 60 degrees, or cut off a crease. So the topology stays, and the result is an oriented manifold whatever

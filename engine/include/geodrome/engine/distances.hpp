@@ -8,7 +8,7 @@
 
 namespace geodrome {
 
-/// How a place off the surface is treated (Section 2.4, Algorithm 2).
+/// The rule for a place off the surface (Section 2.4, Algorithm 2).
 ///
 /// `project`: its closest surface point, D = max(surface distance, |st|); one surface, so D is symmetric and keeps the
 /// triangle inequality up to the bound. `insert`: the paper's S_conf + s_src: each source becomes a vertex of a surface
@@ -17,7 +17,7 @@ namespace geodrome {
 /// where a target's nearest vertex is the source. The last two need a point sample and rows of it as sources.
 enum class ProjectionRule { project, insert, printed };
 
-/// What is asked of distances from sources to targets.
+/// Options for distances from sources to targets.
 struct DistanceOptions {
   double max_distance = infinity;  ///< farther is +inf
   ProjectionRule rule = ProjectionRule::project;

@@ -5,7 +5,7 @@
 
 namespace geodrome {
 
-/// What files hold that are read or written.
+/// The content of files that are read or written.
 enum class Content {
   mesh,
   points,

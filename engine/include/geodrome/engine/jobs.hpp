@@ -76,7 +76,8 @@ struct PathJob {
 
 PathResult run_path(const PathJob& job, Observer& observer);
 
-/// The same distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off.
+/// Computes the same distances by every combination of chosen plugins, and compares what each costs, on one thread, and
+/// how far it is off.
 struct CompareJob {
   std::filesystem::path input;
   RunSettings settings;                 ///< `stages`: of those that are not varied; `threads` is not used

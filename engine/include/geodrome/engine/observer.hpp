@@ -9,7 +9,8 @@
 
 namespace geodrome {
 
-/// What a caller of the engine may hear and say while a job runs. Every member may be called from any thread.
+/// The caller of the engine while a job runs: hears messages and progress, and may ask the job to stop. Every member
+/// may be called from any thread.
 class Observer {
  public:
   virtual ~Observer() = default;

@@ -21,7 +21,7 @@ struct StageChoice {
               solver = "chen_han";
 };
 
-/// What every job shares. `threads` 0 means one per core. No result depends on it.
+/// The settings that every job has. `threads` 0 means one per core. No result depends on it.
 struct RunSettings {
   StageChoice stages;
   ReadOptions read;
@@ -30,7 +30,7 @@ struct RunSettings {
   std::uint64_t seed = 1;
 };
 
-/// What one stage did: for the run report.
+/// The record of what one stage did, for the run report.
 struct StageRecord {
   PluginInfo plugin;
   OptionValues options;
@@ -72,8 +72,8 @@ struct PlacedSurface {
   std::vector<Finding> findings;  ///< their elements are rows of the input
 };
 
-/// What came of trying to make a surface. If a stage refused the sample, `surface` holds what was learned up to there:
-/// the results of the stages before it and the records up to its own, but neither mesh nor places.
+/// The outcome of trying to make a surface. `surface` holds what was learned up to the refusal if a stage refused the
+/// sample: the results of the stages before it and the records up to its own, but neither mesh nor places.
 struct SurfaceAttempt {
   PlacedSurface surface;
   std::optional<SampleError> refusal;  ///< the elements of its findings are rows of the input

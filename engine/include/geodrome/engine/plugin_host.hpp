@@ -13,7 +13,7 @@
 
 namespace geodrome {
 
-/// What a search for plugins found: the usable ones by stage and name, and the refused files with the reason.
+/// The plugins that a search found: the usable ones by stage and name, and the refused files with the reason.
 struct PluginListing {
   std::vector<PluginInfo> usable;
   std::vector<PluginRefusal> refused;
@@ -63,9 +63,9 @@ class PluginHost {
   /// Vets one file as `list` does. Throws PluginError with the reason if it is refused, OptionError if it is not there.
   PluginInfo inspect(const std::filesystem::path& file) const;
 
-  /// What a user means by "cgal", "solver_cgal" or the path of a file (which holds a '/'): the file, or all plugins of
-  /// that name, whatever their stage. Vets as `list` and `inspect` do. Throws OptionError for an unknown name, with
-  /// those that there are; else as `inspect`.
+  /// Finds the plugins that a user means by "cgal", "solver_cgal" or the path of a file (which holds a '/'): the file,
+  /// or all plugins of that name, whatever their stage. Vets as `list` and `inspect` do. Throws OptionError for an
+  /// unknown name, with those that there are; else as `inspect`.
   std::vector<PluginInfo> named(const std::string& name) const;
 
   /// Loads the plugin of a stage. `selection` is "name[:key=value,...]"; the name may carry its stage ("solver_cgal"),

@@ -20,7 +20,7 @@ struct OptionInfo {
   std::string choices, unit, help;
 };
 
-/// What a plugin says of itself, copied out of its descriptor.
+/// The description that a plugin gives of itself, copied out of its descriptor.
 struct PluginInfo {
   std::filesystem::path file;
   std::string stage, name, summary, licence;

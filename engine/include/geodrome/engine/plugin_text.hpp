@@ -6,7 +6,8 @@
 
 #include "geodrome/engine/plugin_host.hpp"
 
-/// What plugins say of themselves, as JSON. All functions are pure and take time linear in their result.
+/// Turns the descriptions that plugins give of themselves into JSON. All functions are pure and take time linear in
+/// their result.
 namespace geodrome {
 
 /// A plugin as a JSON object: stage, name, summary, licence, file, options; of solvers also factor, needs and provides.

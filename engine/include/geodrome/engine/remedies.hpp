@@ -10,8 +10,8 @@
 
 namespace geodrome {
 
-/// What the engine says to a code of a remedy. "{0}" stands for the first parameter; members and functions stand
-/// between backquotes.
+/// The sentence that the engine says to a code of a remedy. "{0}" stands for the first parameter; members and functions
+/// stand between backquotes.
 struct RemedySentence {
   std::string_view code, sentence;
 };

@@ -51,7 +51,7 @@ class MatrixInMemory final : public RowSink {
   std::vector<unsigned char> there_;  // a byte a row: threads write different rows at once
 };
 
-/// What is known of one row.
+/// The counts of one row.
 struct RowSummary {
   std::uint64_t reached = 0;      ///< columns at a finite distance, the source itself among them if it is a target
   std::uint64_t unreachable = 0;  ///< columns at +inf: in another component, or beyond the limit

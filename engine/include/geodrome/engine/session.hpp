@@ -53,7 +53,7 @@ class Session {
 
   /// O(F log F).
   SurfaceReport surface_report() const;
-  /// What `run_check` says of the input, and of the sample if it is one.
+  /// Reports on the input, and on the sample if it is one, as `run_check` does.
   CheckReport check() const;
 
   /// Points by the text that the function `select` reads: "all", "0,5,9" or "@FILE". Throws as that.
@@ -70,10 +70,12 @@ class Session {
   /// solver does not provide. Memory: a row per thread.
   std::vector<double> distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                 const DistanceOptions& options = {}) const;
-  /// The same into the caller's memory; throws OptionError unless it has sources.size() x targets.size() entries.
+  /// Writes the distances, as above, into the caller's memory; throws OptionError unless it has sources.size() x
+  /// targets.size() entries.
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, std::span<double> out,
                  const DistanceOptions& options = {}) const;
-  /// The same into a sink: the rows of `rows`, or all, that it does not have; `finish` is called where these were all.
+  /// Writes the distances, as above, into a sink: those of `rows`, or of all rows, that the sink does not have.
+  /// `finish` is called if `rows` is not given.
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
                  const DistanceOptions& options = {}, std::optional<RowSet> rows = std::nullopt) const;
 

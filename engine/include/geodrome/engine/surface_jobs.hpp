@@ -11,7 +11,7 @@
 /// The jobs that end before the solver: what a file holds, and the surface that is made of it.
 namespace geodrome {
 
-/// What a file holds; of points also what stages 1 to 4 make of it, unless `input_only`.
+/// Checks what a file holds; of points also what stages 1 to 4 make of it, unless `input_only`.
 struct CheckJob {
   std::filesystem::path input;
   RunSettings settings;
@@ -28,8 +28,8 @@ struct CheckReport {
 /// Throws what reading and the stages throw, but for SampleError.
 CheckReport run_check(const CheckJob& job, Observer& observer);
 
-/// What stands in the place of `CheckReport::json` for a file that cannot be read: "usable" false, the file, and the
-/// error with its fault, its message, and `remedy`, the words for what can be done.
+/// The JSON that stands in the place of `CheckReport::json` for a file that cannot be read: "usable" false, the file,
+/// and the error with its fault, its message, and `remedy`, the words for what can be done.
 std::string unusable_json(const std::filesystem::path& file, const InputError& error, const std::string& remedy);
 
 /// The surface of a point sample; of a mesh the mesh as it is used, weights included.

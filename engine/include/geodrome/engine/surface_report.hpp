@@ -8,7 +8,7 @@
 
 namespace geodrome {
 
-/// What a surface is: topology, and the shapes of its triangles.
+/// Facts about a surface: topology, and the shapes of its triangles.
 struct SurfaceFacts {
   std::size_t vertices = 0, faces = 0, components = 0, boundary_loops = 0;
   bool manifold = false, oriented = false, closed = false;
@@ -19,10 +19,10 @@ struct SurfaceFacts {
   std::size_t largest_degree = 0;  ///< edges at a vertex
 };
 
-/// What is known of a surface and of how it came about.
+/// A report on a surface and on how it came about.
 struct SurfaceReport {
   SurfaceFacts facts;
-  /// Of a sample: "good", "fair", "doubtful" or "unknown", what experience says of it, and why; empty for a mesh.
+  /// The verdict of experience on a sample, "good", "fair", "doubtful" or "unknown", and why; empty for a mesh.
   std::string practice;
   std::vector<std::string> practice_because;
   std::string json;  ///< all that reports say of it: "surface", "stages", of a sample "sample", "practice" and more

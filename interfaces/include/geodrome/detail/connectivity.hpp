@@ -12,7 +12,8 @@
 
 namespace geodrome::detail {
 
-/// What follows from the triangles alone. Half-edge 3 f + i runs from corner i of face f to corner i + 1.
+/// The connectivity that follows from the triangles alone. Half-edge 3 f + i runs from corner i of face f to corner i +
+/// 1.
 struct Connectivity {
   std::vector<Index> twins;            ///< per half-edge; no_index on the boundary; empty if an edge has over two faces
   std::vector<Index> first_half_edge;  ///< per vertex: the lowest half-edge that starts there; no_index if none
