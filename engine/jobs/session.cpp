@@ -25,9 +25,27 @@ struct Session::Impl : SessionState {
 
 namespace {
 
+void demand_no_start(const NamedPoint& point, const std::string& what) {
+  if (point.start != 0) throw OptionError(what + " has no start distance of its own");
+}
+
 void check_end(const NamedPoint& end, const std::string& what) {
-  if (end.start != 0) throw OptionError(what + " has no start distance of its own");
+  demand_no_start(end, what);
   if (end.place.state == Place::State::dropped) throw OptionError(what + ": row " + end.label + " was dropped");
+}
+
+void check_starts(std::span<const NamedPoint> sources) {
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    if (const double start = sources[i].start; !(start >= 0 && start < infinity))
+      throw OptionError("sources[" + std::to_string(i) + "]: a start distance is a finite number >= 0, not " +
+                        std::to_string(start));
+}
+
+void check_rows(const RowSet& rows, std::size_t sources) {
+  if (rows.size() == 0) return;
+  if (const std::uint64_t last = rows[rows.size() - 1]; last >= sources)
+    throw OptionError("row " + std::to_string(last) + " does not exist",
+                      "there is one for each source, " + std::to_string(sources) + ", counted from 0");
 }
 
 }  // namespace
@@ -115,19 +133,23 @@ void Session::distances(std::span<const NamedPoint> sources, std::span<const Nam
 void Session::distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
                         const DistanceOptions& options, std::optional<RowSet> rows) const {
   check_limit(options.max_distance);
+  check_starts(sources);
+  const RowSet wanted = rows.value_or(RowSet::all(sources.size()));
+  check_rows(wanted, sources.size());
   check_rule(options.rule, impl_->start.opened, sources);
   const SourceSurfaces surfaces(options.rule, impl_->start.opened, {targets.begin(), targets.end()});
   check_provides(impl_->plugin.info, options.rule, sources, targets, options.max_distance);
   RowMaker maker(impl_->prepared(), surfaces, sources, options.max_distance, impl_->settings.seed, impl_->observer);
   const unsigned threads = thread_count(impl_->settings);
   StageContext context = impl_->context("distances", threads);
-  compute_rows(rows.value_or(RowSet::all(sources.size())), maker, sink, threads, context);
+  compute_rows(wanted, maker, sink, threads, context);
   if (!rows) sink.finish();
 }
 
 std::vector<Distance> Session::nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                        double max_distance) const {
   check_limit(max_distance);
+  check_starts(sources);
   check_provides(impl_->plugin.info, ProjectionRule::project, sources, targets, max_distance);
   StageContext context = impl_->context("nearest", 1);
   return nearest_distances(impl_->prepared(), sources, TargetList({targets.begin(), targets.end()}, surface()),
@@ -148,6 +170,10 @@ PathResult Session::path(const NamedPoint& from, const NamedPoint& to, Projectio
 }
 
 std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    demand_no_start(pairs[i].from, "the first end of pair " + std::to_string(i));
+    demand_no_start(pairs[i].to, "the second end of pair " + std::to_string(i));
+  }
   const PairOracle& oracle = *impl_->oracle().oracle;
   const unsigned threads = thread_count(impl_->settings);
   StageContext context = impl_->context("queries", threads);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstring>
 #include <thread>
 
@@ -106,6 +107,7 @@ TEST_F(Sessions, WriteIntoTheCallersMemoryAndIntoSinks) {
   EXPECT_TRUE(same_bytes(std::span(rows).subspan(all.size()), std::span(expected).subspan(all.size())));
   session.distances(some, all, sink);
   EXPECT_TRUE(same_bytes(rows, expected));
+  EXPECT_THROW(session.distances(some, all, sink, {}, RowSet::range(1, 3)), OptionError) << "there are two sources";
 }
 
 TEST_F(Sessions, ObeyLimitsAndStartDistances) {
@@ -116,6 +118,12 @@ TEST_F(Sessions, ObeyLimitsAndStartDistances) {
   const auto found = session.distances(session.select(list), session.select("all"), {.max_distance = 1.5});
   EXPECT_TRUE(same_bytes(found, expected.values));
   EXPECT_THROW(session.distances({}, {}, {.max_distance = -1}), OptionError);
+  auto wrong = session.select("3");
+  for (const double start : {-1.0, double{INFINITY}, double{NAN}}) {
+    wrong[0].start = start;
+    EXPECT_THROW(session.distances(wrong, wrong), OptionError) << start;
+    EXPECT_THROW(session.nearest(wrong, wrong), OptionError) << start;
+  }
 }
 
 TEST_F(Sessions, GiveTheNearestSource) {
@@ -151,6 +159,9 @@ TEST_F(Sessions, GiveTheJobsPairs) {
   const Session session = in_memory();
   const PairList list = select_pairs(folder_ / "p.txt", session.input(), session.surface());
   EXPECT_TRUE(same_bytes(session.pairs(list.pairs), read_npy(folder_ / "q.npy").values));
+  std::vector<NamedPair> with_start = list.pairs;
+  with_start[1].from.start = 0.5;
+  EXPECT_THROW(session.pairs(with_start), OptionError);
   EXPECT_THROW(Session(file_).pairs(list.pairs), CapabilityError) << "chen_han has no oracle";
 }
 

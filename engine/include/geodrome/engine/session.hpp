@@ -28,11 +28,15 @@ Observer& silent_observer() noexcept;
 /// The surface is made at once, the solver prepares it with the first question and stays prepared. Every const member
 /// may be called from several threads at once; each uses `RunSettings::threads` threads where it says so, and no
 /// result depends on their number. All members throw Cancelled once the observer says so, and what plugins throw.
+///
+/// Precondition of all questions: their points come from `select` of this session, or from the functions `select` and
+/// `select_pairs` with its input and surface. Start distances of sources may be set afterwards. A session that was
+/// moved from may only be assigned to or destroyed.
 class Session {
  public:
   /// From a file. Mistakes are told before the surface is made: OptionError for plugins or options that do not exist,
   /// CapabilityError for a solver that lacks one of `demands`, InputError as `read_input`. Then SampleError for a
-  /// sample that a stage refuses. `observer` must outlive the session.
+  /// sample that a stage refuses. `observer` must outlive the session, and must not ask it anything while it is told.
   explicit Session(const std::filesystem::path& file, RunSettings settings = {}, Observer& observer = silent_observer(),
                    Provides demands = Provides::nothing);
 
@@ -53,7 +57,7 @@ class Session {
 
   /// O(F log F).
   SurfaceReport surface_report() const;
-  /// Reports on the input, and on the sample if it is one, as `run_check` does.
+  /// What `run_check` says of the input, and of the sample if it is one, with this solver's part in the guarantee.
   CheckReport check() const;
 
   /// Points by the text that the function `select` reads: "all", "0,5,9" or "@FILE". Throws as that.
@@ -64,23 +68,27 @@ class Session {
   /// are negative or do not sum to 1.
   std::vector<NamedPoint> select(std::span<const SurfacePoint> points) const;
   /// Points in space: the closest surface points, as `x y z` in a list. Throws OptionError for one that is not finite.
+  /// O(log F) each, and for a mesh O(F log F) once a call.
   std::vector<NamedPoint> select(std::span<const Vec3> positions) const;
 
-  /// Distances from all sources to all targets, a row per source, over threads. Throws CapabilityError for what the
-  /// solver does not provide. Memory: a row per thread.
+  /// Distances from all sources to all targets, a row per source, over threads: a search per source. Start distances of
+  /// targets do not count. Throws OptionError for a start distance or a limit that is no number >= 0 and for a rule
+  /// that input or sources do not allow, CapabilityError for what the solver or the reconstructor does not provide.
+  /// Memory: a row and a search per thread.
   std::vector<double> distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                 const DistanceOptions& options = {}) const;
   /// Writes the distances, as above, into the caller's memory; throws OptionError unless it has sources.size() x
   /// targets.size() entries.
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, std::span<double> out,
                  const DistanceOptions& options = {}) const;
-  /// Writes the distances, as above, into a sink: those of `rows`, or of all rows, that the sink does not have.
-  /// `finish` is called if `rows` is not given.
+  /// The same into a sink: the rows of `rows`, or all, that it does not have; without `rows` the sink is finished.
+  /// Throws also OptionError for a row that no source has, and what the sink throws.
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
                  const DistanceOptions& options = {}, std::optional<RowSet> rows = std::nullopt) const;
 
   /// For every target the distance from the nearest source, and the place of that in `sources`: one search on one
-  /// thread. Throws CapabilityError for start distances that the solver does not provide.
+  /// thread. Throws OptionError for a start distance or a limit that is no number >= 0, CapabilityError for what the
+  /// solver does not provide.
   std::vector<Distance> nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                 double max_distance = infinity) const;
 
@@ -89,7 +97,7 @@ class Session {
   PathResult path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule = ProjectionRule::project) const;
 
   /// A distance for each pair, over threads, by the oracle of the solver, which is built with the first call and kept.
-  /// Throws CapabilityError if the solver has none.
+  /// Throws OptionError for an end with a start distance, CapabilityError if the solver has no oracle.
   std::vector<double> pairs(std::span<const NamedPair> pairs) const;
 
  private:
