@@ -22,13 +22,22 @@ using Severity = Finding::Severity;
 // range by far; nobody measures in such units either.
 constexpr double largest = 1e100, smallest = 1e-100;
 
-double checked_diagonal(const Origin& origin, const std::vector<Vec3>& positions) {
+/// What messages call an element that stands for one row alone, wherever rows before it were dropped.
+std::string row_name(const Origin& origin, const Input& input, std::size_t element) {
+  const auto found = std::ranges::find(input.element_of_row, static_cast<Index>(element));
+  const auto row = static_cast<std::size_t>(found - input.element_of_row.begin());
+  return input.kind == InputKind::points ? origin.point(row) : origin.vertex(row);
+}
+
+/// Precondition: nothing is merged yet.
+double checked_diagonal(const Origin& origin, const Input& input) {
   const std::string rescale = "rescale the input to ordinary numbers";
+  const std::vector<Vec3>& positions = input.positions;
   Vec3 low{INFINITY, INFINITY, INFINITY}, high = -low;
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const Vec3& p = positions[i];
     if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > largest)
-      origin.reject(InputFault::range, origin.vertex(i) + " has a coordinate beyond 1e100", rescale);
+      origin.reject(InputFault::range, row_name(origin, input, i) + " has a coordinate beyond 1e100", rescale);
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
@@ -102,7 +111,7 @@ void make_cloud(const Origin& origin, const ReadOptions& options, const Soup& so
   drop_nonfinite(origin, options, input);
   if (input.positions.empty())
     origin.reject(InputFault::empty, origin.is_file() ? "the file holds no points" : "positions is empty");
-  input.facts.bounding_box_diagonal = checked_diagonal(origin, input.positions);
+  input.facts.bounding_box_diagonal = checked_diagonal(origin, input);
   MergedPoints merged = merge_equal_points(input.positions);
   Finding rows = merged_rows(merged, input);
   const std::size_t count = rows.count;
@@ -142,7 +151,7 @@ void make_mesh(const Origin& origin, const ReadOptions& options, Soup& soup, Inp
   for (std::size_t v = 0; v < input.positions.size(); ++v)
     if (!is_finite(input.positions[v]))
       origin.reject(InputFault::nonfinite, origin.vertex(v) + " is not finite", remedies::finite_points());
-  input.facts.bounding_box_diagonal = checked_diagonal(origin, input.positions);
+  input.facts.bounding_box_diagonal = checked_diagonal(origin, input);
   if (options.weld) weld(input);
   Polygons polygons = clean_faces(origin, soup, input.element_of_row);
   if (polygons.size() == 0)

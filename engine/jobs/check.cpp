@@ -30,8 +30,8 @@ void print(const std::vector<Finding>& findings, const Observer& observer, std::
 
 void print(const Input& input, const Observer& observer, std::ostream& out) {
   const bool mesh = input.kind == InputKind::mesh;
-  out << input.file.string() << ": " << input.format << ", " << input.facts.rows
-      << (mesh ? " vertices, " : " points, ");
+  if (!input.file.empty()) out << input.file.string() << ": ";
+  out << input.format << ", " << input.facts.rows << (mesh ? " vertices, " : " points, ");
   if (mesh) print_mesh(input, out);
   out << "diagonal " << input.facts.bounding_box_diagonal << "\n";
   if (!input.weights.empty()) out << "weights    " << weights_text(input) << "\n";

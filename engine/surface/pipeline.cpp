@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "engine/input/origin.hpp"
 #include "engine/surface/place.hpp"
 #include "engine/surface/sample_chain.hpp"
 
@@ -14,8 +15,7 @@ namespace {
 PlacedSurface surface_of_mesh(const Input& input) {
   PlacedSurface surface;
   surface.made_from = InputKind::mesh;
-  if (input.triangles.empty())
-    throw InputError(InputFault::degenerate, input.file.string() + ": no face with an area is left");
+  if (input.triangles.empty()) input::Origin(input.file).reject(InputFault::degenerate, "no face with an area is left");
   surface.mesh = std::make_shared<const SurfaceMesh>(input.positions, input.triangles, input.weights);
   for (const Index vertex : input.element_of_row) surface.places.push_back(place_of_vertex(*surface.mesh, vertex));
   return surface;

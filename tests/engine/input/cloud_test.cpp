@@ -74,6 +74,8 @@ TEST(InputCloud, NumbersBelowDoubleAreZero) {
 TEST(InputCloud, ExtentsOutOfReachAreRefused) {
   expect_refused([] { read_bytes("p.xyz", "0 0 0\n1e101 0 0\n"); }, InputFault::range, "rescale");
   expect_refused([] { read_bytes("p.xyz", "0 0 0\n1e-101 0 0\n"); }, InputFault::range, "rescale");
+  expect_refused([] { read_bytes("p.xyz", "nan 0 0\n0 0 0\n1e101 0 0\n", {.drop_nonfinite = true}); },
+                 InputFault::range, "point 2 (from 0)");
 }
 
 }  // namespace

@@ -52,7 +52,7 @@ struct InputFacts {
 struct Input {
   std::filesystem::path file;  ///< empty for an input from memory
   std::string format;          ///< "off", "obj", "ply", "stl", "xyz", "arrays"
-  std::string hash;            ///< of the file's bytes: 32 hexadecimal digits (XXH3, 128 bits)
+  std::string hash;            ///< of the bytes of the file or arrays: 32 hexadecimal digits (XXH3, 128 bits)
   InputKind kind = InputKind::points;
   std::vector<Vec3> positions;          ///< the points or vertices used: finite; those of a cloud pairwise distinct
   std::vector<Index> element_of_row;    ///< row of the file -> entry of `positions`; no_index if dropped
