@@ -27,10 +27,13 @@ class CounterSum {
       }
     });
   }
-  std::map<std::string, std::uint64_t> sums() const { return sums_; }
+  std::map<std::string, std::uint64_t> sums() const {
+    const std::lock_guard lock(mutex_);
+    return sums_;
+  }
 
  private:
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::map<std::string, std::uint64_t> sums_;
 };
 
