@@ -24,8 +24,7 @@ class TargetList {
   std::span<const SurfacePoint> points() const noexcept { return points_; }
 
   /// The surface distance of target `j`, which lies on the surface, from a map. Throws NumericalError if it is no
-  /// number
-  /// >= 0, whoever wrote the plugin. To be called inside `cross_boundary`.
+  /// number that is at least 0, whoever wrote the plugin. To be called inside `cross_boundary`.
   double read(const ShortestPathMap& map, std::size_t j) const;
 
   /// True if the surface is an estimate, made from points: no distance of theirs is below the straight line.

@@ -30,9 +30,8 @@ struct PairList {
 /// Reads "all", "0,5,9" or "@FILE". Each line of a file is a row `i`, a point `x y z` (its closest surface point is
 /// meant; for a cloud the point itself takes part in D = max(surface distance, |st|)), or `face b0 b1 b2` (face as
 /// counted in the input, barycentric coordinates >= 0 that sum to 1 up to 1e-9), each with an optional `+ start`; blank
-/// lines and
-/// `#` comments are passed over. Rows and faces count from 0. Throws OptionError for a bad list, InputError naming file
-/// and line for a bad file.
+/// lines and `#` comments are passed over. Rows and faces count from 0. Throws OptionError for a bad list, InputError
+/// naming file and line for a bad file.
 std::vector<NamedPoint> select(const std::string& text, const Input& input, const PlacedSurface& surface);
 
 /// Reads a file with a pair a line: two entries as in the files of `select`, without a start distance, separated by a
