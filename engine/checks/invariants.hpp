@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,8 +34,8 @@ struct InvariantOptions {
   bool bounded = true;         ///< false if nothing keeps distances from being below the straight line
   double smallest_weight = 1;  ///< of the faces: distances are at least this times the straight line
   bool float32 = false;        ///< how the entries are stored
-  double radius = std::numeric_limits<double>::infinity();  ///< the cut-off beyond which entries are +inf
-  std::uint64_t entries = std::uint64_t{1} << 22;           ///< sampled rows hold at most so many (at least 3 rows)
+  double radius = infinity;    ///< the cut-off beyond which entries are +inf
+  std::uint64_t entries = std::uint64_t{1} << 22;  ///< sampled rows hold at most so many (at least 3 rows)
   std::uint64_t triples = 200'000;
   std::uint64_t seed = 0;
 };
@@ -45,8 +44,8 @@ struct InvariantOptions {
 struct InvariantCheck {
   bool expected = true;  ///< false: measured, but nothing promises it
   double tolerance = 0;
-  std::uint64_t tested = 0, violated = 0;                   ///< violated: by more than the tolerance
-  double worst = -std::numeric_limits<double>::infinity();  ///< greatest violation; below 0: the margin
+  std::uint64_t tested = 0, violated = 0;  ///< violated: by more than the tolerance
+  double worst = -infinity;                ///< greatest violation; below 0: the margin
   /// Where the worst is: rows and columns of the matrix, from 0. Meaningless if nothing was tested.
   std::uint64_t row = 0, column = 0;
   std::uint64_t middle = 0;  ///< triangle: the matrix row of the point on the way

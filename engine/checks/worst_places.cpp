@@ -100,7 +100,7 @@ class Chooser {
   /// The nearest chosen place that the point belongs to; their number if there is none.
   std::size_t place_of(Index point) const {
     std::size_t best = chosen_.size();
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = infinity;
     for (std::size_t k = 0; k < chosen_.size(); ++k) {
       const double apart = distance(input_.positions[point], input_.positions[chosen_[k]]);
       if (apart > std::max(reach(point), reach(chosen_[k])) || apart >= nearest) continue;

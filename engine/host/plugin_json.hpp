@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "geodrome/engine/plugin_info.hpp"
+#include "geodrome/geometry.hpp"
 
 /// The JSON by which `geodrome-vet` tells the host what a plugin is. Infinity, which JSON has not, is written as "inf"
 /// and "-inf".
@@ -18,7 +18,6 @@ inline nlohmann::json json_number(double value) {
 
 inline double number_from_json(const nlohmann::json& json) {
   if (json.is_number()) return json.get<double>();
-  const double infinity = std::numeric_limits<double>::infinity();
   return json.get<std::string>() == "inf" ? infinity : -infinity;
 }
 

@@ -5,7 +5,6 @@
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "geodrome/detail/point_triangle.hpp"
@@ -53,7 +52,7 @@ Index VertexLocator::nearest(const Vec3& query) const {
   const bg::model::box<Point> box(Point(query.x - radius, query.y - radius, query.z - radius),
                                   Point(query.x + radius, query.y + radius, query.z + radius));
   impl_->tree.query(bgi::intersects(box), std::back_inserter(found));
-  std::pair<double, Index> best{std::numeric_limits<double>::infinity(), no_index};
+  std::pair<double, Index> best{infinity, no_index};
   for (const auto& [point, vertex] : found) best = std::min(best, {squared_distance(query, vec3(point)), vertex});
   return best.second;
 }

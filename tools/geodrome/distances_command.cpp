@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <limits>
-
 #include "tools/geodrome/commands.hpp"
 #include "tools/geodrome/console.hpp"
 
@@ -42,7 +40,7 @@ void add_distances(CLI::App& app, Action& action) {
       ->capture_default_str();
   command.add_option("--targets", job.targets, list)->type_name("LIST")->capture_default_str();
   command.add_option("--max-distance", job.max_distance, "Farther is +inf (counted apart from unreachable)")
-      ->check(number_from_to(0, std::numeric_limits<double>::infinity()))
+      ->check(number_from_to(0, infinity))
       ->type_name("R");
   add_choice<ProjectionRule>(
       command, "--query", job.query,

@@ -11,7 +11,7 @@ namespace {
 
 /// The pair that is farthest beyond a bound.
 struct Excess {
-  double worst = -std::numeric_limits<double>::infinity();
+  double worst = -infinity;
   std::size_t source = 0, target = 0;
   std::uint64_t broken = 0;
 

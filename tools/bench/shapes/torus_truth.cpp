@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -13,7 +12,7 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr double pi = std::numbers::pi, infinity = std::numeric_limits<double>::infinity();
+constexpr double pi = std::numbers::pi;
 
 /// In [0, 2 pi).
 double turn(double angle) {
