@@ -117,7 +117,8 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   check_rule(job.query, opened, sources);
   const SourceSurfaces surfaces(job.query, opened, resolve(to, opened.input, opened.surface));
   const TargetList& targets = surfaces.targets();
-  check_provides(session.plugin.info, job.query, sources, targets.named(), job.max_distance);
+  check_provides(plugin.info, job.query, sources, targets.named(), job.max_distance);
+  const PreparedSolver solver = prepare_solver(std::move(plugin), opened.surface.mesh, host, job.settings, observer);
 
   RunRecord record{job, start, session.prepared(), sources.size(), targets.size()};
   search(record, surfaces, sources, observer);
