@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/formats/table.hpp"
+#include "engine/formats/text.hpp"
 
 // The table of formats as text.
 namespace geodrome {
@@ -12,23 +13,21 @@ struct Row {
 };
 
 constexpr Row table_rows[] = {{Content::mesh, "meshes"},
-                        {Content::points, "points"},
-                        {Content::weights, "weights of faces"},
-                        {Content::matrix, "matrices"},
-                        {Content::nearest, "nearest sources"},
-                        {Content::pairs, "pairs"},
-                        {Content::path, "paths"},
-                        {Content::report, "reports"},
-                        {Content::figures, "figures of comparisons"},
-                        {Content::page, "pages of comparisons"},
-                        {Content::pair_index, "indices of pair oracles"}};
-
-void append_item(std::string& list, const std::string& item) { list += (list.empty() ? "" : ", ") + item; }
+                              {Content::points, "points"},
+                              {Content::weights, "weights of faces"},
+                              {Content::matrix, "matrices"},
+                              {Content::nearest, "nearest sources"},
+                              {Content::pairs, "pairs"},
+                              {Content::path, "paths"},
+                              {Content::report, "reports"},
+                              {Content::figures, "figures of comparisons"},
+                              {Content::page, "pages of comparisons"},
+                              {Content::pair_index, "indices of pair oracles"}};
 
 /// `mark` stands before and after each ending.
 std::string read_text(const Format& format, std::string_view remark, const std::string& mark) {
   std::string inside;
-  for (const std::string_view ending : format.endings) append_item(inside, mark + std::string(ending) + mark);
+  for (const std::string_view ending : format.endings) append_word(inside, mark + std::string(ending) + mark);
   if (!inside.empty() && !remark.empty()) inside += ": ";
   inside += remark;
   return std::string(format.name) + (inside.empty() ? "" : " (" + inside + ")");
@@ -43,14 +42,14 @@ std::string written_text(const Format& format, std::string_view remark, const st
 std::string all_read(Content content, const std::string& mark) {
   std::string list;
   for (const Format& format : formats())
-    if (format.reads(content)) append_item(list, read_text(format, *format.use(content)->read, mark));
+    if (format.reads(content)) append_word(list, read_text(format, *format.use(content)->read, mark));
   return list;
 }
 
 std::string all_written(Content content, const std::string& mark) {
   std::string list;
   for (const Format& format : formats())
-    if (format.writes(content)) append_item(list, written_text(format, *format.use(content)->written, mark));
+    if (format.writes(content)) append_word(list, written_text(format, *format.use(content)->written, mark));
   return list;
 }
 
@@ -64,7 +63,7 @@ std::string help_for_input() {
   std::string meshes, points;
   for (const Format& format : formats()) {
     if (!format.read) continue;
-    append_item(format.reads(Content::mesh) ? meshes : points, std::string(format.name));
+    append_word(format.reads(Content::mesh) ? meshes : points, std::string(format.name));
   }
   return meshes + " (meshes or points) or " + points + " (points)";
 }

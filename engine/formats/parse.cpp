@@ -3,6 +3,7 @@
 
 #include "engine/formats/ending.hpp"
 #include "engine/formats/table.hpp"
+#include "engine/formats/text.hpp"
 
 // The choice of a reader: by the content where that tells, else by the name.
 namespace geodrome::input {
@@ -49,7 +50,7 @@ template <class Property>
 std::string names_of(Property property) {
   std::string names;
   for (const Format& format : formats())
-    if (property(format)) names += (names.empty() ? "" : ", ") + std::string(format.name);
+    if (property(format)) append_word(names, std::string(format.name));
   return names;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/formats/ending.hpp"
+#include "engine/formats/text.hpp"
 #include "geodrome/errors.hpp"
 
 namespace geodrome {
@@ -67,7 +68,7 @@ const Format& format_to_write(const std::filesystem::path& file, Content content
   for (const Format& format : formats()) {
     if (!format.writes(content) || format.endings.empty()) continue;
     const std::string_view ending = format.endings.front();
-    valid += (valid.empty() ? "" : ", ") + std::string(ending);
+    append_word(valid, std::string(ending));
     if (has_ending(file, ending) && (!best || ending.size() > best->endings.front().size())) best = &format;
   }
   if (!best) throw OptionError(file.string() + ": the name must end in " + valid);

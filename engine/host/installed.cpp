@@ -4,6 +4,7 @@
 #define BOOST_DLL_USE_STD_FS
 #include <boost/dll/runtime_symbol_info.hpp>
 
+#include "engine/formats/text.hpp"
 #include "geodrome/errors.hpp"
 
 namespace geodrome {
@@ -18,7 +19,7 @@ fs::path find(const std::string& name, std::initializer_list<const char*> places
     const fs::path path = (engine_folder() / place / name).lexically_normal();
     std::error_code error;
     if (fs::exists(path, error)) return path;
-    if (tried != path.string()) tried += (tried.empty() ? "" : ", ") + path.string();
+    if (tried != path.string()) append_word(tried, path.string());
   }
   throw PluginError(name + ", a part of Geodrome, is missing (looked for " + tried + ")",
                     "install Geodrome completely");

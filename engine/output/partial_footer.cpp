@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/formats/remedies.hpp"
+#include "engine/formats/text.hpp"
 #include "geodrome/errors.hpp"
 
 namespace geodrome {
@@ -57,7 +58,7 @@ std::string shortened(const std::string& text) {
 }
 
 void add_difference(std::string& text, const std::string& what, const std::string& was, const std::string& is) {
-  text += (text.empty() ? "" : ", ") + what + " was " + shortened(was) + " and is " + shortened(is);
+  append_word(text, what + " was " + shortened(was) + " and is " + shortened(is));
 }
 
 std::string fingerprint_differences(const std::string& stored, const std::string& now) {
