@@ -50,7 +50,7 @@ Soup soup_of(const Arrays& arrays) {
 
 Input make_input(const Arrays& arrays, const ReadOptions& options) {
   check_arrays(arrays, options);
-  // Of the two hashes, so that no byte can move from one array to the other unseen.
+  // The two hashes are hashed, so that no byte can move from one array to the other unseen.
   const std::string hash =
       content_hash(content_hash(bytes_of(arrays.positions)) + content_hash(bytes_of(arrays.faces)));
   return check_soup(Origin::arrays(), options, soup_of(arrays), hash);

@@ -33,7 +33,7 @@ struct JobStart {
 JobStart start_quietly(Input input, const PluginHost& host, const RunSettings& settings, std::optional<double> factor,
                        Observer& observer);
 
-/// The same, and tells the observer what was found in input and surface.
+/// Does so, and tells the observer what was found in input and surface.
 JobStart start_job(Input input, const PluginHost& host, const RunSettings& settings, std::optional<double> factor,
                    Observer& observer);
 

@@ -22,7 +22,7 @@ struct PairDistances {
   double seconds = 0;    ///< wall clock, of all queries
   unsigned threads = 1;  ///< that took part
 
-  /// Returns the time of one query, on one thread; 0 if there was none.
+  /// The time of one query, on one thread; 0 if there was none.
   double microseconds() const { return asked == 0 ? 0 : seconds * 1e6 * threads / static_cast<double>(asked); }
   bool sound() const {
     return reach.missed == 0 && reach.impossible == 0 && below_euclid == 0 && not_zero == 0 && audit.holds();

@@ -74,10 +74,12 @@ struct PathJob {
   std::filesystem::path out;
 };
 
+/// Does the whole job, as `run_distances`, and gives the path back; `out` may be empty. Throws any geodrome::Error:
+/// CapabilityError for a solver without paths, OptionError for an end that was dropped, has a start distance or is not
+/// one point. Memory: the surface, the prepared solver, and the map of one search.
 PathResult run_path(const PathJob& job, Observer& observer);
 
-/// Computes the same distances by every combination of chosen plugins, and compares what each costs, on one thread, and
-/// how far it is off.
+/// Distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off.
 struct CompareJob {
   std::filesystem::path input;
   RunSettings settings;                 ///< `stages`: of those that are not varied; `threads` is not used

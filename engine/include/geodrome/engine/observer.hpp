@@ -18,6 +18,7 @@ class Observer {
   /// `stage` is one of the five stages, or "input", "distances", "invariants", "audit", "oracle", "queries", "truth",
   /// "view", or a combination that is compared; `fraction` in [0, 1].
   virtual void progress(std::string_view /*stage*/, double /*fraction*/) {}
+  /// One line for people, without its end.
   virtual void log(LogLevel, std::string_view /*message*/) {}
   /// A remedy as the caller puts it to users of its own, in messages and tables: by its code (see `remedies.hpp`), or
   /// the engine's sentence. Findings in reports hold the sentence and the code.

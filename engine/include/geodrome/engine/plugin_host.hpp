@@ -53,6 +53,7 @@ class PluginHost {
   /// Throws OptionError for an extra folder that is not there.
   explicit PluginHost(std::vector<std::filesystem::path> extra_folders = {});
 
+  /// The folders that are searched, in the order of the search.
   const std::vector<std::filesystem::path>& folders() const noexcept { return folders_; }
 
   /// Vets every file (*.so) of every folder in a child process each, at most 10 s (GEODROME_VET_TIMEOUT: another number

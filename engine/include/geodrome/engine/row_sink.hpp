@@ -65,8 +65,10 @@ struct RowSummary {
 /// Reduces each row to its summary, so that a matrix that no disk holds can still be measured. Memory: O(rows).
 class RowStatistics final : public RowSink {
  public:
+  /// O(rows).
   RowStatistics(std::uint64_t rows, std::uint64_t columns);
 
+  /// O(columns).
   void write(std::uint64_t row, std::span<const double> values) override;
   bool has(std::uint64_t row) const override;
   /// Throws std::logic_error if rows are missing.

@@ -48,6 +48,7 @@ class Session {
   Session& operator=(Session&&) noexcept;
   ~Session();
 
+  /// They live as long as the session, also where it is moved to.
   const Input& input() const noexcept;
   const PlacedSurface& surface() const noexcept;
   /// The solver that was chosen, and its guarantee with the chosen options: distances are at most `factor` times the
@@ -57,7 +58,7 @@ class Session {
 
   /// O(F log F).
   SurfaceReport surface_report() const;
-  /// What `run_check` says of the input, and of the sample if it is one, with this solver's part in the guarantee.
+  /// Returns the report of `run_check` on the input, with this solver's part in the guarantee of a sample.
   CheckReport check() const;
 
   /// Points by the text that the function `select` reads: "all", "0,5,9" or "@FILE". Throws as that.
@@ -77,11 +78,10 @@ class Session {
   /// Memory: a row and a search per thread.
   std::vector<double> distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                 const DistanceOptions& options = {}) const;
-  /// Writes the distances, as above, into the caller's memory; throws OptionError unless it has sources.size() x
-  /// targets.size() entries.
+  /// Writes them into the caller's memory; throws OptionError unless it has sources.size() x targets.size() entries.
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, std::span<double> out,
                  const DistanceOptions& options = {}) const;
-  /// The same into a sink: the rows of `rows`, or all, that it does not have; without `rows` the sink is finished.
+  /// Hands them to a sink: the rows of `rows`, or all, that it does not have; without `rows` the sink is finished.
   /// Throws also OptionError for a row that no source has, and what the sink throws.
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
                  const DistanceOptions& options = {}, std::optional<RowSet> rows = std::nullopt) const;

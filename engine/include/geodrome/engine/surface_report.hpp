@@ -22,7 +22,7 @@ struct SurfaceFacts {
 /// A report on a surface and on how it came about.
 struct SurfaceReport {
   SurfaceFacts facts;
-  /// The verdict of experience on a sample, "good", "fair", "doubtful" or "unknown", and why; empty for a mesh.
+  /// Experience says so of a sample, and why: "good", "fair", "doubtful" or "unknown"; empty for a mesh.
   std::string practice;
   std::vector<std::string> practice_because;
   std::string json;  ///< all that reports say of it: "surface", "stages", of a sample "sample", "practice" and more
