@@ -25,12 +25,8 @@ struct Session::Impl : SessionState {
 
 namespace {
 
-void demand_no_start(const NamedPoint& point, const std::string& what) {
-  if (point.start != 0) throw OptionError(what + " has no start distance of its own");
-}
-
 void check_end(const NamedPoint& end, const std::string& what) {
-  demand_no_start(end, what);
+  if (end.start != 0) throw OptionError(what + " has no start distance of its own");
   if (end.place.state == Place::State::dropped) throw OptionError(what + ": row " + end.label + " was dropped");
 }
 
@@ -170,10 +166,9 @@ PathResult Session::path(const NamedPoint& from, const NamedPoint& to, Projectio
 }
 
 std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    demand_no_start(pairs[i].from, "the first end of pair " + std::to_string(i));
-    demand_no_start(pairs[i].to, "the second end of pair " + std::to_string(i));
-  }
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    if (pairs[i].from.start != 0 || pairs[i].to.start != 0)
+      throw OptionError("pair " + std::to_string(i) + " has a start distance, which pairs have not", "set it to 0");
   const PairOracle& oracle = *impl_->oracle().oracle;
   const unsigned threads = thread_count(impl_->settings);
   StageContext context = impl_->context("queries", threads);
