@@ -24,12 +24,16 @@ constexpr Row table_rows[] = {{Content::mesh, "meshes"},
                               {Content::page, "pages of comparisons"},
                               {Content::pair_index, "indices of pair oracles"}};
 
-/// `mark` stands before and after each ending.
+/// Returns the endings and the remark; `mark` stands before and after each ending.
+std::string endings_and_remark(const Format& format, std::string_view remark, const std::string& mark) {
+  std::string text;
+  for (const std::string_view ending : format.endings) append_word(text, mark + std::string(ending) + mark);
+  if (!text.empty() && !remark.empty()) text += ": ";
+  return text += remark;
+}
+
 std::string read_text(const Format& format, std::string_view remark, const std::string& mark) {
-  std::string inside;
-  for (const std::string_view ending : format.endings) append_word(inside, mark + std::string(ending) + mark);
-  if (!inside.empty() && !remark.empty()) inside += ": ";
-  inside += remark;
+  const std::string inside = endings_and_remark(format, remark, mark);
   return std::string(format.name) + (inside.empty() ? "" : " (" + inside + ")");
 }
 
@@ -53,6 +57,14 @@ std::string all_written(Content content, const std::string& mark) {
   return list;
 }
 
+/// Returns the row of a format that holds such content.
+std::string row_of(const Row& row, const Format& format) {
+  const auto& use = *format.use(row.content);
+  const std::string read = use.read ? endings_and_remark(format, *use.read, "`") : "";
+  const std::string written = use.written ? written_text(format, *use.written, "`") : "";
+  return std::string("| ") + row.title + " | " + std::string(format.name) + " | " + read + " | " + written + " |\n";
+}
+
 }  // namespace
 
 std::string help_for_reading(Content content) { return all_read(content, ""); }
@@ -69,10 +81,10 @@ std::string help_for_input() {
 }
 
 std::string table_of_formats() {
-  std::string table = "| | read | written, by the ending of the name |\n|---|---|---|\n";
+  std::string table = "| content | format | read | written |\n|---|---|---|---|\n";
   for (const Row& row : table_rows)
-    table += std::string("| ") + row.title + " | " + all_read(row.content, "`") + " | " +
-             all_written(row.content, "`") + " |\n";
+    for (const Format& format : formats())
+      if (format.use(row.content)) table += row_of(row, format);
   return table;
 }
 

@@ -107,6 +107,8 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
   const Selection from = parse_selection(job.sources), to = parse_selection(job.targets);
+  if (to.has_starts())
+    throw OptionError("a target has a start distance, which only sources have", "leave out what follows ' +' there");
   SessionState session(job.settings, observer, demands_of(job, from));
   session.begin(job.input);
   const JobStart& start = session.start;
@@ -117,8 +119,7 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   check_rule(job.query, opened, sources);
   const SourceSurfaces surfaces(job.query, opened, resolve(to, opened.input, opened.surface));
   const TargetList& targets = surfaces.targets();
-  check_provides(plugin.info, job.query, sources, targets.named(), job.max_distance);
-  const PreparedSolver solver = prepare_solver(std::move(plugin), opened.surface.mesh, host, job.settings, observer);
+  check_provides(session.plugin.info, job.query, sources, targets.named(), job.max_distance);
 
   RunRecord record{job, start, session.prepared(), sources.size(), targets.size()};
   search(record, surfaces, sources, observer);
