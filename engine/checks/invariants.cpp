@@ -7,6 +7,7 @@
 #include <random>
 #include <unordered_map>
 
+#include "engine/checks/rounding_scale.hpp"
 #include "engine/checks/seeded_subset.hpp"
 
 namespace geodrome {
@@ -42,18 +43,10 @@ std::vector<SampledRow> read_sample(const MatrixView& matrix, const InvariantOpt
   return sample;
 }
 
-/// Coordinates count too: a distance is not known better than the coordinates are rounded.
 double scale_of(const MatrixView& matrix, const std::vector<SampledRow>& sample, double smallest_weight) {
-  double scale = 0;
-  const auto include = [&](double length) {
-    if (std::isfinite(length)) scale = std::max(scale, std::abs(length));
-  };
-  for (const SampledRow& row : sample)
-    for (const double distance : row.distances) include(distance);
-  for (const auto points : {matrix.row_points, matrix.column_points})
-    for (const Vec3& p : points)
-      for (const double coordinate : {p.x, p.y, p.z}) include(smallest_weight * coordinate);
-  return scale;
+  RoundingScale scale(smallest_weight);
+  for (const SampledRow& row : sample) scale.distances(row.distances);
+  return scale.points(matrix.row_points).points(matrix.column_points).value();
 }
 
 /// The part that the checks have in common: how far a <= b is violated, and the record of it.

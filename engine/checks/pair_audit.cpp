@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/checks/rounding_scale.hpp"
 #include "engine/search/prepared_solver.hpp"
 
 namespace geodrome {
@@ -54,16 +55,16 @@ PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std
   if (chosen.empty()) result.not_audited = "no pair of which the solver promises a factor is reached";
   if (chosen.empty()) return result;
   const auto search = make_search(solver);
-  // A distance is not known better than the coordinates are rounded.
-  double scale = 0, worst = 0;
-  for (const Vec3& p : mesh.positions()) scale = std::max({scale, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  RoundingScale scale;
+  scale.points(mesh.positions());
+  double worst = 0;
   for (const std::size_t i : chosen) {
     const double found = searched(solver, *search, pairs[i], context);
     const double violation = std::max(values[i] - factor * found, found - factor * values[i]);
-    scale = std::max(scale, values[i]);
+    scale.distances({&values[i], 1});
     if (violation > worst) worst = violation, result.worst_pair = i;
   }
-  if (scale > 0) result.worst = worst / scale;
+  if (scale.value() > 0) result.worst = worst / scale.value();
   return result;
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "engine/report/provenance.hpp"
 
-#include <sys/resource.h>
-
 #include <cmath>
 #include <ostream>
 
+#include "engine/report/memory.hpp"
 #include "engine/report/weights_text.hpp"
 #include "geodrome/engine/version.hpp"
 
@@ -42,12 +41,6 @@ void summarize_solver(const PreparedSolver& solver, std::ostream& out) {
 
 }  // namespace
 
-std::uint64_t peak_memory_bytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
-}
-
 Json settings_json(const RunSettings& settings) {
   return {{"version", version()},
           {"interface_version", interface_version},
@@ -77,7 +70,7 @@ std::string refusal_report(const Json& settings, const Opened& opened, const Sam
   json.update(to_json(sample));
   json["stages"] = stages_json(opened.surface.stages);
   json["timings"] = {{"read", opened.read_seconds}, {"surface", opened.surface_seconds}};
-  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["peak_memory_bytes"] = memory_peak();
   return text_of(json);
 }
 

@@ -14,8 +14,6 @@
 /// The parts that the reports of all jobs have in common.
 namespace geodrome {
 
-std::uint64_t peak_memory_bytes();
-
 /// Versions, seed, threads.
 Json settings_json(const RunSettings& settings);
 

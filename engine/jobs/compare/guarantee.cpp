@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/checks/rounding_scale.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -40,13 +42,9 @@ std::string nothing_to_judge(const GuaranteeTerms& terms, std::uint64_t pairs) {
 }  // namespace
 
 double scale_of(const DistanceRows& distances, std::span<const Vec3> positions, double smallest_weight) {
-  double scale = 0;
-  for (const auto& row : distances)
-    for (const double value : row)
-      if (std::isfinite(value)) scale = std::max(scale, value);
-  for (const Vec3& p : positions)
-    for (const double coordinate : {p.x, p.y, p.z}) scale = std::max(scale, smallest_weight * std::abs(coordinate));
-  return scale;
+  RoundingScale scale(smallest_weight);
+  for (const auto& row : distances) scale.distances(row);
+  return scale.points(positions).value();
 }
 
 GuaranteeFigures judge_guarantee(const DistanceRows& distances, const DistanceRows& truth,

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "engine/formats/text.hpp"
+#include "engine/report/memory.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/search/projection_rule.hpp"
 
@@ -174,7 +175,7 @@ JobReport write_report(const RunRecord& record) {
                      {"surface", opened.surface_seconds},
                      {"prepare", record.solver.record.seconds},
                      {"total", record.total_seconds}};
-  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["peak_memory_bytes"] = memory_peak();
   std::ostringstream summary;
   summarize(record, facts, sample ? &*sample : nullptr, summary);
   return {text_of(json), summary.str(), broken};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/checks/invariants.hpp"
+#include "engine/checks/rounding_scale.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/search/distances.hpp"
 #include "engine/search/parallel_rows.hpp"
@@ -41,18 +42,9 @@ void ask(const PreparedSolver& solver, const PairOracle& oracle, std::span<const
   result.seconds = watch.seconds();
 }
 
-/// Coordinates count too: a distance is not known better than they are rounded.
-double scale_of(const SurfaceMesh& mesh, std::span<const double> values) {
-  double scale = 0;
-  for (const double value : values)
-    if (std::isfinite(value)) scale = std::max(scale, value);
-  for (const Vec3& p : mesh.positions()) scale = std::max({scale, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  return scale;
-}
-
 void check(const SurfaceMesh& mesh, bool never_below, std::span<const NamedPair> pairs, PairDistances& result) {
   const std::vector<Index> of_vertex = vertex_components(mesh);
-  const double slack = float64_tolerance * scale_of(mesh, result.values);
+  const double slack = float64_tolerance * RoundingScale().distances(result.values).points(mesh.positions()).value();
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const Place &from = pairs[i].from.place, &to = pairs[i].to.place;
     const double value = result.values[i];

@@ -3,6 +3,7 @@
 
 #include <sstream>
 
+#include "engine/report/memory.hpp"
 #include "engine/report/provenance.hpp"
 
 namespace geodrome {
@@ -110,7 +111,7 @@ JobReport write_report(const PairRecord& record) {
                      {"oracle", record.oracle.seconds},
                      {"queries", record.distances.seconds},
                      {"total", record.total_seconds}};
-  json["peak_memory_bytes"] = peak_memory_bytes();
+  json["peak_memory_bytes"] = memory_peak();
   return {text_of(json), summary_of(record, facts, sample ? &*sample : nullptr), broken};
 }
 
