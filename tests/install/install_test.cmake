@@ -127,14 +127,6 @@ elseif(STEP STREQUAL "new_check")
 elseif(STEP STREQUAL "new_tests")
   run(tests ${CMAKE_CTEST_COMMAND} --test-dir ${WORK}/my_own)
   expect_match("tests" "${tests}" "100% tests passed, 0 tests failed")
-elseif(STEP STREQUAL "kit")
-  # A solver out of the installed kit, judged by the installed program.
-  run(ignored ${CMAKE_COMMAND} -S ${SOURCE}/kit_solver -B ${WORK}/kit_solver -G ${GENERATOR}
-      -D CMAKE_BUILD_TYPE=Release -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER}
-      -D CMAKE_CXX_FLAGS=${FLAGS} -D CMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER} -D CMAKE_FIND_USE_PACKAGE_REGISTRY=OFF)
-  run(ignored ${CMAKE_COMMAND} --build ${WORK}/kit_solver)
-  run(verdicts ${prefix}/bin/geodrome plugins check ${WORK}/kit_solver/lib/geodrome/solver_by_kit.so)
-  expect_match("verdicts" "${verdicts}" "solver_by_kit: [1-9][0-9]+ held, 0 failed")
 elseif(STEP STREQUAL "library")
   check_library(${prefix})
 elseif(STEP STREQUAL "program")

@@ -1,104 +1,117 @@
-// A solver to start from: shortest paths along the edges of the mesh, after Dijkstra (1959). Never shorter than the
-// true distance, without a stated factor. Replace what is between prepare and at by your method, then state what it
-// provides.
+// A solver to start from: shortest paths along the edges of the mesh, after Dijkstra (1959), then straight to a point
+// of a face; without a stated factor. The solver kit keeps targets, checks requests and packs the mesh. Replace
+// `search`, `distance_at` and `trace` by your method, then state what it provides.
+#include <algorithm>
+#include <cmath>
 #include <geodrome/plugin.hpp>
-#include <queue>
+#include <geodrome/solver_kit/indexed_heap.hpp>
+#include <geodrome/solver_kit/kept_search.hpp>
+#include <geodrome/solver_kit/packed_mesh.hpp>
+#include <memory>
+#include <utility>
+#include <vector>
 
 using namespace geodrome;
 
 namespace {
 
-/// Immutable, shared by all threads: whatever is computed once per mesh belongs here.
-struct Graph {
-  explicit Graph(MeshPtr surface) : mesh(std::move(surface)), neighbours(mesh->vertex_count()) {
-    for (Index h = 0; h < 3 * mesh->face_count(); ++h) {
-      neighbours[mesh->from(h)].push_back(mesh->to(h));
-      neighbours[mesh->to(h)].push_back(mesh->from(h));
-    }
-  }
-
-  double length(Index a, Index b) const { return distance(mesh->positions()[a], mesh->positions()[b]); }
-
-  MeshPtr mesh;
-  std::vector<std::vector<Index>> neighbours;
-};
-
-/// One per thread: owns its buffers, is used again and again, and is its own result.
-class TemplateNameSearch : public Search, public ShortestPathMap {
+/// One per thread: owns its buffers and is used again and again.
+class TemplateNameSearch final : public KeptSearch {
  public:
-  explicit TemplateNameSearch(std::shared_ptr<const Graph> graph) : graph_(std::move(graph)) {}
+  explicit TemplateNameSearch(std::shared_ptr<const PackedMesh> surface)
+      : KeptSearch(surface->mesh(), surface->components()),
+        surface_(std::move(surface)),
+        distance_(surface_->vertex_count()),
+        before_(distance_.size()),
+        source_(distance_.size()),
+        queue_(distance_.size()) {}
 
-  const ShortestPathMap& run(std::span<const Source> sources, const Request&, RunContext& context) override {
-    if (sources.empty()) throw InputError(InputFault::empty, "no source");
-    distance_.assign(graph_->mesh->vertex_count(), infinity);
-    before_.assign(distance_.size(), no_index);
-    source_.assign(distance_.size(), no_index);
-    queue_ = {};  // a run that was cancelled has left its own
-    for (Index i = 0; i < sources.size(); ++i) reach(vertex_of(sources[i].at), sources[i].start, no_index, i);
-    while (!queue_.empty()) {
-      context.throw_if_cancelled();
-      const auto [distance, vertex] = queue_.top();
-      queue_.pop();
-      if (distance > distance_[vertex]) continue;  // reached on a shorter way since
-      for (const Index to : graph_->neighbours[vertex])
-        reach(to, distance + graph_->length(vertex, to), vertex, source_[vertex]);
-    }
-    return *this;
-  }
-
+ private:
   std::span<const double> vertices() const override { return distance_; }
-
-  Distance at(const SurfacePoint& point) const override {
-    const Index v = vertex_of(point);
-    return {distance_[v], distance_[v] < infinity ? Reach::reached : Reach::unreachable, source_[v]};
-  }
-
-  void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const override {
-    out.clear();
-    Index v = vertex_of(point);
-    if (distance_[v] == infinity) return;
-    for (; v != no_index; v = before_[v]) out.push_back(out.empty() ? point : graph_->mesh->at_vertex(v));
-  }
-
   std::span<const Counter> counters() const override { return {}; }
 
- private:
+  void refuse(std::span<const Source> sources, const Request&) const override {
+    for (const Source& source : sources)
+      if (mesh().vertex_at(source.at) == no_index) throw CapabilityError("sources must be vertices");
+  }
+
+  void search(const Request&, RunContext& context) override {
+    std::fill(distance_.begin(), distance_.end(), infinity);
+    queue_.clear();  // a run that was cancelled has left its own
+    for (Index i = 0; i < sources().size(); ++i)
+      reach(mesh().vertex_at(sources()[i].at), sources()[i].start, no_index, i);
+    while (!queue_.empty()) {
+      context.throw_if_cancelled();
+      const Index vertex = queue_.pop();
+      for (const Index h : surface_->corners(surface_->vertex_of_original(vertex))) {
+        const Index last = SurfaceMesh::previous(h);
+        reach_along(vertex, SurfaceMesh::next(h), surface_->length(h));
+        reach_along(vertex, last, surface_->length(last));
+      }
+    }
+  }
+
+  /// To the vertex at which half-edge `to` starts; `length` is in the packed mesh's units.
+  void reach_along(Index vertex, Index to, double length) {
+    reach(surface_->original_vertex(surface_->from(to)), distance_[vertex] + std::ldexp(length, -surface_->exponent()),
+          vertex, source_[vertex]);
+  }
+
   void reach(Index vertex, double distance, Index before, Index source) {
-    if (distance >= distance_[vertex]) return;
+    if (distance >= distance_[vertex] || distance > radius()) return;
     distance_[vertex] = distance, before_[vertex] = before, source_[vertex] = source;
-    queue_.emplace(distance, vertex);
+    queue_.push(vertex, distance);
   }
 
-  /// What the descriptor does not provide is refused, never guessed.
-  Index vertex_of(const SurfacePoint& point) const {
-    const Index vertex = point.face < graph_->mesh->face_count() ? graph_->mesh->vertex_at(point) : no_index;
-    if (vertex == no_index) throw CapabilityError("only distances of vertices are known");
-    return vertex;
+  /// The vertex itself, or the corner over which the path is shortest, and the distance.
+  std::pair<Index, double> last_vertex(const SurfacePoint& point) const {
+    const Index vertex = mesh().vertex_at(point);
+    if (vertex != no_index) return {vertex, distance_[vertex]};
+    std::pair<Index, double> best{no_index, infinity};
+    surface_->for_each_name(surface_->inner(point), [&](const SurfacePoint& name) {
+      for (Index h = 3 * name.face; h < 3 * name.face + 3; ++h) {
+        const auto [x, y] = surface_->in_frame(h, name.b);
+        const Index corner = surface_->original_vertex(surface_->from(h));
+        const double distance = distance_[corner] + std::ldexp(std::hypot(x, y), -surface_->exponent());
+        if (distance < best.second) best = {corner, distance};
+      }
+    });
+    return best;
   }
 
-  using Entry = std::pair<double, Index>;
-  std::shared_ptr<const Graph> graph_;
+  Distance distance_at(const SurfacePoint& point) const override {
+    const auto [vertex, distance] = last_vertex(point);
+    if (!(distance <= radius()) || distance == infinity) return no_distance(point.face);
+    return {distance, Reach::reached, source_[vertex]};
+  }
+
+  void trace(const SurfacePoint& point, const Distance&, std::vector<SurfacePoint>& out) const override {
+    out.push_back(point);
+    for (Index v = last_vertex(point).first; v != no_index; v = before_[v])
+      if (v != mesh().vertex_at(point)) out.push_back(mesh().at_vertex(v));
+  }
+
+  std::shared_ptr<const PackedMesh> surface_;
   std::vector<double> distance_;
   std::vector<Index> before_, source_;
-  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  IndexedHeap queue_;
 };
 
+/// Immutable, shared by all threads: whatever is computed once per mesh belongs here.
 class TemplateNameSurface : public PreparedSurface {
  public:
-  explicit TemplateNameSurface(MeshPtr mesh) : graph_(std::make_shared<const Graph>(std::move(mesh))) {}
-
-  std::unique_ptr<Search> make_search() const override { return std::make_unique<TemplateNameSearch>(graph_); }
-  std::size_t bytes() const override {
-    return graph_->neighbours.size() * sizeof(std::vector<Index>) + 6 * graph_->mesh->face_count() * sizeof(Index);
-  }
+  explicit TemplateNameSurface(MeshPtr mesh) : surface_(std::make_shared<const PackedMesh>(std::move(mesh))) {}
+  std::unique_ptr<Search> make_search() const override { return std::make_unique<TemplateNameSearch>(surface_); }
+  std::size_t bytes() const override { return surface_->bytes(); }
 
  private:
-  std::shared_ptr<const Graph> graph_;
+  std::shared_ptr<const PackedMesh> surface_;
 };
 
 class TemplateName : public ShortestPathSolver {
  public:
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext&) const override {
+    require_unweighted(*mesh);
     return std::make_unique<TemplateNameSurface>(std::move(mesh));
   }
 };
@@ -107,5 +120,5 @@ class TemplateName : public ShortestPathSolver {
 
 GEODROME_PLUGIN(TemplateName, .name = "template_name", .summary = "shortest paths along edges (Dijkstra 1959)",
                 .licence = "MIT",
-                .provides = Provides::start_distances | Provides::paths | Provides::path_is_distance |
-                            Provides::never_shorter)
+                .provides = Provides::start_distances | Provides::radius_limit | Provides::any_point | Provides::paths |
+                            Provides::path_is_distance)
