@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/plugins/common/images.hpp"
+#include "tests/plugins/common/window_pairs.hpp"
 
 /// The lemma of ordered neighbours, over the images of both exact solvers.
 namespace geodrome::chen_han::test {
@@ -18,25 +19,7 @@ template <class Image>
 class OrderedPair : public testing::Test {};
 TYPED_TEST_SUITE(OrderedPair, Images, ImageNames);
 
-constexpr std::uint64_t scenes = 4000;
-
 bool holds(const Interval& interval, double x) { return interval.low <= x && x <= interval.high; }
-
-/// Calls `visit(scene, left, right)` with pairs of windows whose lines entered the face below in that order.
-template <class Visit>
-void for_each_pair(Visit&& visit) {
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const Scene scene = random_scene(random, 1 + seed % 4);
-    for (std::size_t i = 0; i < scene.windows.size(); ++i)
-      for (std::size_t j = i + 1; j < scene.windows.size(); ++j)
-        if (scene.windows[i].window.low < scene.windows[i].window.high &&
-            scene.windows[j].window.low < scene.windows[j].window.high)
-          visit(scene, scene.windows[i], scene.windows[j], random);
-    if (testing::Test::HasFailure()) return;
-  }
-}
 
 /// Of each place that both have the nearer keeps it and the other does not; all else stays. What is lost otherwise has
 /// a shorter way that bends.

@@ -8,31 +8,16 @@
 #include <utility>
 
 #include "plugins/common/exact/bisector.hpp"
+#include "tests/plugins/common/window_pairs.hpp"
 #include "tests/plugins/solver_schreiber/wavefronts.hpp"
 
 namespace geodrome::schreiber::test {
 namespace {
 
-constexpr std::uint64_t scenes = 4000;
+using chen_han::test::for_each_pair;
 
 bool holds(const Interval& claim, double x) { return claim.low <= x && x <= claim.high; }
 Interval claim_in(const Window& w) { return {w.low, w.high}; }
-
-/// Calls `visit(scene, left, right)` with pairs of windows whose lines entered the face below in that order.
-template <class Visit>
-void for_each_pair(Visit&& visit) {
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const Scene scene = random_scene(random, 1 + seed % 4);
-    for (std::size_t i = 0; i < scene.windows.size(); ++i)
-      for (std::size_t j = i + 1; j < scene.windows.size(); ++j)
-        if (scene.windows[i].window.low < scene.windows[i].window.high &&
-            scene.windows[j].window.low < scene.windows[j].window.high)
-          visit(scene, scene.windows[i], scene.windows[j], random);
-    if (testing::Test::HasFailure()) return;
-  }
-}
 
 // ---- keep_left, keep_right
 
