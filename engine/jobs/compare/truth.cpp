@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/compare/truth.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/formats/ending.hpp"
+#include "engine/formats/number_text.hpp"
 
 namespace geodrome {
 
@@ -15,13 +17,30 @@ std::string shape(std::size_t rows, std::size_t columns) {
   return "(" + std::to_string(rows) + ", " + std::to_string(columns) + ")";
 }
 
-void check_entries(const std::vector<double>& row, const std::string& file, std::uint64_t number) {
-  for (std::size_t j = 0; j < row.size(); ++j)
+void check_entries(const std::vector<double>& row, const std::string& file, std::uint64_t number, double farthest) {
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    const std::string entry = file + ": row " + std::to_string(number) + ", column " + std::to_string(j) + " is ";
     if (row[j] < 0)
-      throw InputError(InputFault::range,
-                       file + ": row " + std::to_string(number) + ", column " + std::to_string(j) + " is " +
-                           std::to_string(row[j]) + ", which is no distance",
+      throw InputError(InputFault::range, entry + std::to_string(row[j]) + ", which is no distance",
                        "distances are >= 0, inf for unreachable, nan for not computed");
+    if (std::isfinite(row[j]) && row[j] > farthest)
+      throw InputError(
+          InputFault::range,
+          entry + number_text(row[j]) + ", longer than any path on the input can be (" + number_text(farthest) + ")",
+          "write inf for unreachable, where other programs write a very large number");
+  }
+}
+
+/// A distance above which there is none: a path visits each vertex once, and no edge is longer than the diagonal. The
+/// surface that a cloud is a sample of may be longer than its points tell.
+double farthest_on(const Input& input, std::span<const NamedPoint> sources) {
+  constexpr double unknown_surface = 1e3;
+  double weight = 1, start = 0;
+  for (const double other : input.weights) weight = std::max(weight, other);
+  for (const NamedPoint& source : sources) start = std::max(start, source.start);
+  const double hops = static_cast<double>(input.positions.size() + 2);
+  return hops * input.facts.bounding_box_diagonal * weight * (input.kind == InputKind::mesh ? 1 : unknown_surface) +
+         start;
 }
 
 std::uint64_t row_of_input(const NamedPoint& source, const std::string& file) {
@@ -41,7 +60,7 @@ std::filesystem::path truth_file(const std::string& truth) {
 }
 
 DistanceRows rows_of_sources(NpyMatrix& matrix, const std::string& file, std::span<const NamedPoint> sources,
-                             std::size_t rows_of_input) {
+                             std::size_t rows_of_input, double farthest) {
   const bool one_each = matrix.rows() == sources.size(), all_pairs = matrix.rows() == rows_of_input;
   if (matrix.columns() != rows_of_input || !(one_each || all_pairs))
     throw InputError(InputFault::unsupported,
@@ -53,7 +72,7 @@ DistanceRows rows_of_sources(NpyMatrix& matrix, const std::string& file, std::sp
   for (std::size_t i = 0; i < sources.size(); ++i) {
     const std::uint64_t number = one_each ? i : row_of_input(sources[i], file);
     rows.push_back(matrix.read(number));
-    check_entries(rows.back(), file, number);
+    check_entries(rows.back(), file, number, farthest);
     if (!one_each)
       for (double& distance : rows.back()) distance += sources[i].start;
   }
@@ -76,7 +95,8 @@ ComparisonTruth::ComparisonTruth(const std::string& truth, const Input& input, c
 }
 
 void ComparisonTruth::read_file(const ComparedSurface& on) {
-  if (matrix_ && !same_for_all_) same_for_all_ = rows_of_sources(*matrix_, name_, on.sources, on.targets.size());
+  if (matrix_ && !same_for_all_)
+    same_for_all_ = rows_of_sources(*matrix_, name_, on.sources, on.targets.size(), farthest_on(input_, on.sources));
 }
 
 const DistanceRows& ComparisonTruth::rows(const std::string& combination, const ComparedSurface& on,

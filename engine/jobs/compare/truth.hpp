@@ -15,9 +15,10 @@ std::filesystem::path truth_file(const std::string& truth);
 
 /// Rows of a matrix for sources: one per source in their order, or, of a matrix of all pairs, those of the sources'
 /// rows, start distances added; where both fit, the first. Throws InputError for another shape, naming both, and for an
-/// entry that is no distance.
+/// entry that is no distance: negative, or finite and above `farthest`, as the largest number of double or float that
+/// other programs write for unreachable.
 DistanceRows rows_of_sources(NpyMatrix& matrix, const std::string& file, std::span<const NamedPoint> sources,
-                             std::size_t rows_of_input);
+                             std::size_t rows_of_input, double farthest = infinity);
 
 /// The distances that those of the combinations are held against.
 class ComparisonTruth {

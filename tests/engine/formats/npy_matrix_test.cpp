@@ -125,5 +125,22 @@ TEST_F(TruthRows, ThatAreNoDistancesAreRefused) {
       InputFault::range, "row 0, column 1");
 }
 
+TEST_F(TruthRows, ThatAreLongerThanAnyPathAreRefusedAsUnreachableInDisguise) {
+  for (const double huge : {std::numeric_limits<double>::max(), double{std::numeric_limits<float>::max()}, 1e100, 10.5})
+    testing::expect_refused(
+        [&] {
+          NpyMatrix matrix = open(npy_header(1, 3, ScalarType::float64) + entries<double>({0, 1, huge}));
+          rows_of_sources(matrix, "t.npy", std::vector{row(0)}, 3, 10);
+        },
+        InputFault::range, "t.npy: row 0, column 2 is");
+  NpyMatrix single =
+      open(npy_header(1, 3, ScalarType::float32) + entries<float>({0, 1, std::numeric_limits<float>::max()}));
+  const std::vector sources{row(0)};
+  testing::expect_refused([&] { rows_of_sources(single, "t.npy", sources, 3, 10); }, InputFault::range,
+                          "write inf for unreachable");
+  NpyMatrix sound = open(npy_header(1, 3, ScalarType::float64) + entries<double>({0, 10, inf}));
+  EXPECT_EQ(rows_of_sources(sound, "t.npy", sources, 3, 10), (DistanceRows{{0, 10, inf}}));
+}
+
 }  // namespace
 }  // namespace geodrome::testing
