@@ -18,6 +18,9 @@ Json number(double value) {
 
 std::string json_path(const PathResult& path) {
   Json json{{"distance", number(path.distance)}, {"length", number(path.length)}, {"points", Json::array()}};
+  // An end on the surface is the usual one.
+  if (path.from_off_surface > 0) json["from_off_surface"] = path.from_off_surface;
+  if (path.to_off_surface > 0) json["to_off_surface"] = path.to_off_surface;
   for (std::size_t i = 0; i < path.positions.size(); ++i) {
     const Vec3& p = path.positions[i];
     json["points"].push_back(

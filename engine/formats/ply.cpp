@@ -19,8 +19,10 @@ Evidence ply_evidence(const SourceFile& file) {
 std::string ply_header(const MeshToWrite& mesh) {
   // Most readers know no unsigned indices.
   const bool fits_int = mesh.positions.size() <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max());
-  std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) +
-                       "\nproperty double x\nproperty double y\nproperty double z\n";
+  std::string header =
+      "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(mesh.positions.size()) + "\n";
+  const char* type = mesh.scalar == ScalarType::float64 ? "double" : "float";
+  for (const char* axis : {"x", "y", "z"}) header += std::string("property ") + type + " " + axis + "\n";
   if (!mesh.triangles.empty())
     header += "element face " + std::to_string(mesh.triangles.size()) + "\nproperty list uchar " +
               (fits_int ? "int" : "uint") + " vertex_indices\n";
@@ -34,7 +36,9 @@ std::string ply_bytes(const MeshToWrite& mesh) {
   bytes.reserve(bytes.size() + sizeof(Vec3) * mesh.positions.size() + face_bytes * mesh.triangles.size() +
                 mesh.weights.size_bytes());
   for (const Vec3& p : mesh.positions)
-    for (const double coordinate : {p.x, p.y, p.z}) append_little_endian(bytes, coordinate);
+    for (const double coordinate : {p.x, p.y, p.z})
+      mesh.scalar == ScalarType::float64 ? append_little_endian(bytes, coordinate)
+                                         : append_float32(bytes, coordinate, mesh.file, "32-bit floats");
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     bytes += '\3';
     for (const Index v : mesh.triangles[f]) append_little_endian(bytes, v);
@@ -54,7 +58,8 @@ Format ply_format() {
           .evidence = ply_evidence,
           .read = [](const SourceFile& file) { return input::read_ply(file, {}); },
           .read_weighted = input::read_ply,
-          .write = ply_bytes};
+          .write = ply_bytes,
+          .mesh_numbers = MeshNumbers::either};
 }
 
 }  // namespace geodrome

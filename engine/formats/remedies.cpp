@@ -16,6 +16,7 @@ constexpr RemedySentence sentences[] = {
     {"resume.anew", "{0}, or leave `resume` out to start anew"},
     {"index", "name a file that `run_pairs` made, or a new one"},
     {"read.weld", "set `read.weld` to merge them"},
+    {"read.weld_within", "set `read.weld`, and `read.weld_tolerance` to {0}, to join them"},
     {"read.drop_nonfinite", "set `read.drop_nonfinite` to leave such points out"},
     {"read.points", "set `read.as` to points"},
     {"read.vertices", "set `read.as` to points to take its vertices"},
@@ -77,6 +78,7 @@ Remedy start_anew(std::string otherwise) { return made(row("resume.anew"), {std:
 Remedy other_index() { return made(row("index")); }
 
 Remedy weld() { return made(row("read.weld")); }
+Remedy weld_within(std::string tolerance) { return made(row("read.weld_within"), {std::move(tolerance)}); }
 Remedy drop_nonfinite() { return made(row("read.drop_nonfinite")); }
 Remedy take_points() { return made(row("read.points")); }
 Remedy take_vertices() { return made(row("read.vertices")); }

@@ -149,17 +149,11 @@ Vec3 unit_normal(const Vec3& p, const Vec3& q, const Vec3& r) {
 }
 
 std::string stl_bytes(const MeshToWrite& mesh) {
-  constexpr double largest_float = std::numeric_limits<float>::max();
   std::string bytes = "binary STL";  // must not start with "solid"
   bytes.resize(header_bytes, ' ');
   append_little_endian(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   const auto append = [&](const Vec3& p) {
-    for (const double coordinate : {p.x, p.y, p.z}) {
-      if (std::abs(coordinate) > largest_float)
-        throw InputError(InputFault::range, mesh.file.string() + ": a coordinate does not fit into the floats of STL",
-                         "write PLY");
-      append_little_endian(bytes, static_cast<float>(coordinate));
-    }
+    for (const double coordinate : {p.x, p.y, p.z}) append_float32(bytes, coordinate, mesh.file, "the floats of STL");
   };
   for (const Triangle& t : mesh.triangles) {
     append(unit_normal(mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]));
@@ -177,7 +171,8 @@ Format stl_format() {
           .uses = {{Content::mesh, "text, binary", "binary, float"}},
           .evidence = stl_evidence,
           .read = read_stl,
-          .write = stl_bytes};
+          .write = stl_bytes,
+          .mesh_numbers = MeshNumbers::float32};
 }
 
 }  // namespace geodrome

@@ -75,10 +75,12 @@ const Format& format_to_write(const std::filesystem::path& file, Content content
   return *best;
 }
 
-const Format& mesh_format_to_write(const std::filesystem::path& file, bool weighted) {
+const Format& mesh_format_to_write(const std::filesystem::path& file, bool weighted, ScalarType scalar) {
   const Format& format = format_to_write(file, Content::mesh);
   if (weighted && !format.writes(Content::weights))
     throw OptionError(file.string() + ": only PLY holds the weights of the faces", "write .ply");
+  if (scalar == ScalarType::float32 && format.mesh_numbers == MeshNumbers::float64)
+    throw OptionError(file.string() + ": its numbers are text, which needs no float32", "write .ply or .stl");
   return format;
 }
 

@@ -30,12 +30,20 @@ struct Use {
   std::optional<std::string_view> read = std::nullopt, written = std::nullopt;
 };
 
+/// The numbers in which a format holds the coordinates of a mesh.
+enum class MeshNumbers {
+  float64,  ///< in binary, or as text in full
+  float32,
+  either,  ///< as the writer is told
+};
+
 /// The data that a writer turns into bytes: points, and of a mesh triangles too.
 struct MeshToWrite {
   std::filesystem::path file;  ///< for messages
   std::span<const Vec3> positions;
   std::span<const Triangle> triangles;
-  std::span<const double> weights;  ///< of the triangles; empty if there are none, or the format holds none
+  std::span<const double> weights;          ///< of the triangles; empty if there are none, or the format holds none
+  ScalarType scalar = ScalarType::float64;  ///< of the coordinates, where the format holds either
 };
 
 /// A format, stated once, beside its readers and writers. Functions are null where no use needs them.
@@ -52,6 +60,7 @@ struct Format {
   input::Soup (*read_weighted)(const input::SourceFile& file, std::string_view property) = nullptr;
   /// The bytes of a mesh or of points. Throws InputError (range) for numbers that the format cannot hold.
   std::string (*write)(const MeshToWrite& mesh) = nullptr;
+  MeshNumbers mesh_numbers = MeshNumbers::float64;
   std::string (*write_path)(const PathResult& path) = nullptr;
   const MatrixFormat* matrix = nullptr;
 
@@ -67,7 +76,8 @@ std::span<const Format> formats();
 const Format& format_to_write(const std::filesystem::path& file, Content content);
 
 /// The format of a mesh to be written, as `format_to_write`. Throws OptionError too if the mesh is `weighted` and the
-/// format holds no weights.
-const Format& mesh_format_to_write(const std::filesystem::path& file, bool weighted);
+/// format holds no weights, or if it cannot hold coordinates of that type.
+const Format& mesh_format_to_write(const std::filesystem::path& file, bool weighted,
+                                   ScalarType scalar = ScalarType::float64);
 
 }  // namespace geodrome

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
+#include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
 #include "engine/input/findings.hpp"
+#include "engine/input/float32_steps.hpp"
 #include "engine/input/merge.hpp"
 #include "engine/input/mesh_check.hpp"
 #include "engine/input/polygons.hpp"
@@ -48,6 +51,21 @@ double checked_diagonal(const Origin& origin, const Input& input) {
   if (diagonal > 0 && diagonal < smallest)
     origin.reject(InputFault::range, "the diagonal of the bounding box is below 1e-100", rescale);
   return diagonal;
+}
+
+std::string short_text(double value) {
+  std::ostringstream text;
+  text.precision(3);
+  text << value;
+  return text.str();
+}
+
+void check_weld(const ReadOptions& options) {
+  const double tolerance = options.weld_tolerance;
+  if (!(tolerance >= 0 && tolerance <= largest))
+    throw OptionError("the tolerance of welding is a number from 0 to 1e100, in the units of the input");
+  if (tolerance > 0 && !options.weld)
+    throw OptionError("a tolerance of welding is given, but nothing is welded", remedies::weld());
 }
 
 std::vector<Index> identity(std::size_t count) {
@@ -100,6 +118,9 @@ void drop_nonfinite(const Origin& origin, const ReadOptions& options, Input& inp
 
 void make_cloud(const Origin& origin, const ReadOptions& options, const Soup& soup, Input& input) {
   if (!options.weights.empty() || !soup.face_weights.empty()) reject_weights_of_points(origin);
+  if (options.weld_tolerance > 0)
+    origin.reject(InputFault::unsupported, "a tolerance of welding is for meshes, but the input is points",
+                  "leave it out: points at the same place stand for each other anyway");
   if (soup.face_count() > 0)
     input.findings.push_back(
         {Severity::note,
@@ -119,15 +140,25 @@ void make_cloud(const Origin& origin, const ReadOptions& options, const Soup& so
          counted(count, "point is", "points are") +
              " at the same place as an earlier one and stand for it, at distance 0.");
   use_merged(std::move(merged), input);
+  tell_float32_steps(input);
 }
 
-void weld(Input& input) {
-  MergedPoints merged = merge_equal_points(input.positions);
-  Finding rows = merged_rows(merged, input);
+void weld(const Origin& origin, double tolerance, Input& input) {
+  MergedWithin within = merge_points_within(input.positions, tolerance);
+  if (within.chained != no_index)
+    origin.reject(InputFault::range,
+                  "welding within " + number_text(tolerance) + " would move " +
+                      row_name(origin, input, within.chained) + " farther than that, to " +
+                      row_name(origin, input, within.chained_to) + ", over vertices between them",
+                  "choose a tolerance well below the length of the edges");
+  Finding rows = merged_rows(within.merged, input);
   const std::size_t count = rows.count;
+  const std::string where =
+      tolerance == 0 ? " at the same place."
+                     : " within " + number_text(tolerance) + ", at most " + short_text(within.moved) + " away.";
   report(input.findings, std::move(rows), Severity::warning, "welded_vertices",
-         counted(count, "vertex was", "vertices were") + " merged into an earlier one at the same place.");
-  use_merged(std::move(merged), input);
+         counted(count, "vertex was", "vertices were") + " merged into an earlier one" + where);
+  use_merged(std::move(within.merged), input);
 }
 
 void tell_of_faces(Polygons& polygons, Triangulated& faces, Input& input) {
@@ -152,7 +183,7 @@ void make_mesh(const Origin& origin, const ReadOptions& options, Soup& soup, Inp
     if (!is_finite(input.positions[v]))
       origin.reject(InputFault::nonfinite, origin.vertex(v) + " is not finite", remedies::finite_points());
   input.facts.bounding_box_diagonal = checked_diagonal(origin, input);
-  if (options.weld) weld(input);
+  if (options.weld) weld(origin, options.weld_tolerance, input);
   Polygons polygons = clean_faces(origin, soup, input.element_of_row);
   if (polygons.size() == 0)
     origin.reject(InputFault::degenerate, "no face has three different corners", remedies::take_vertices());
@@ -169,6 +200,7 @@ void make_mesh(const Origin& origin, const ReadOptions& options, Soup& soup, Inp
 namespace input {
 
 Input check_soup(const Origin& origin, const ReadOptions& options, Soup soup, std::string hash) {
+  check_weld(options);
   Input input{.file = origin.file(), .format = soup.format, .hash = std::move(hash)};
   if (soup.positions.empty())
     origin.reject(InputFault::empty, origin.is_file() ? "the file holds no points" : "positions is empty");

@@ -6,7 +6,9 @@
 #include <numeric>
 
 #include "engine/formats/remedies.hpp"
+#include "engine/input/coincident_edges.hpp"
 #include "engine/input/findings.hpp"
+#include "engine/input/float32_steps.hpp"
 #include "engine/input/merge.hpp"
 
 namespace geodrome::input {
@@ -134,6 +136,7 @@ void tell_topology(Topology topology, Input& input) {
          counted(facts.nonmanifold_vertices, "vertex joins", "vertices join") +
              " several fans of faces that share no edge there.");
   tell_orientation(topology, input);
+  tell_coincident_edges(topology.open_edges, input);
   report(input.findings, std::move(topology.boundary_edges), Severity::note, "boundary",
          counted(facts.boundary_edges, "boundary edge", "boundary edges") + " in " +
              counted(facts.boundary_loops, "loop", "loops") + " (the vertices named are on them).");
@@ -157,6 +160,7 @@ void tell_topology(Topology topology, Input& input) {
 void check_mesh(const Polygons& polygons, Input& input) {
   tell_defects(polygons, input);
   tell_topology(topology_of(input.triangles, input.positions.size()), input);
+  tell_float32_steps(input);
 }
 
 }  // namespace geodrome::input

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "engine/input/polygons.hpp"
@@ -17,6 +18,7 @@ struct Topology {
   Finding nonmanifold_edges, nonmanifold_vertices;  ///< elements: vertices
   Finding boundary_edges;                           ///< elements: vertices
   Finding clashes;                                  ///< edges whose two faces run the same way; elements: triangles
+  std::vector<std::array<Index, 2>> open_edges;     ///< the vertices of the boundary edges
   std::size_t edges = 0, vertices = 0, components = 0, boundary_loops = 0;
   bool orientable = true;
 };

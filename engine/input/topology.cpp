@@ -51,6 +51,7 @@ class EdgeWalk {
 
   void border(const EdgeUse& use) {
     add_element(result_.boundary_edges, use.low);
+    result_.open_edges.push_back({use.low, use.high});
     on_boundary_[use.low] = on_boundary_[use.high] = true;
     loops_.unite(use.low, use.high);
   }

@@ -49,8 +49,8 @@ void check_ending(const fs::path& file, Content content) {
   if (!file.empty()) format_to_write(file, content);
 }
 
-void check_mesh_ending(const fs::path& file, const ReadOptions& options) {
-  if (!file.empty()) mesh_format_to_write(file, !options.weights.empty());
+void check_mesh_ending(const fs::path& file, const ReadOptions& options, ScalarType scalar) {
+  if (!file.empty()) mesh_format_to_write(file, !options.weights.empty(), scalar);
 }
 
 void check_outputs(std::span<const fs::path> outputs, std::span<const fs::path> read) {

@@ -20,6 +20,7 @@ std::vector<std::filesystem::path> files_read(const std::filesystem::path& input
 void check_ending(const std::filesystem::path& file, Content content);
 
 /// Throws OptionError as `check_ending` for the name of a mesh, whose format must hold weights if it is read with some.
-void check_mesh_ending(const std::filesystem::path& file, const ReadOptions& options);
+void check_mesh_ending(const std::filesystem::path& file, const ReadOptions& options,
+                       ScalarType scalar = ScalarType::float64);
 
 }  // namespace geodrome

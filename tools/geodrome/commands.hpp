@@ -60,6 +60,10 @@ void add_seed(CLI::App& command, RunSettings& settings);
 void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders);
 void add_quiet(CLI::App& command, bool& quiet);
 
+/// Gives options whose value may be left out the one that is meant: --weld stands before a number or is --weld 0. CLI11
+/// would take the next word for the value, whatever it is.
+void fill_in_values(std::vector<std::string>& words);
+
 /// Checks of option values. CLI11's own take NaN for a number in any range and a negative whole number for a huge one.
 CLI::Validator number_from_to(double low, double high);
 CLI::Validator whole_number_up_to(std::uint64_t high);

@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -50,7 +51,10 @@ void demand_known_command(const CLI::App& app, int argc, char** argv) {
 int parse(CLI::App& app, int argc, char** argv) {
   demand_known_command(app, argc, argv);
   try {
-    app.parse(argc, argv);
+    std::vector<std::string> words(argv + 1, argv + argc);
+    geodrome::cli::fill_in_values(words);
+    std::ranges::reverse(words);  // as CLI11 wants them
+    app.parse(std::move(words));
     return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? -1 : 2;

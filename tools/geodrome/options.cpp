@@ -16,6 +16,11 @@ constexpr const char* run_group = "Run";
 /// More threads than any machine has; a system that gives fewer is no error.
 constexpr std::uint64_t most_threads = 1'000'000;
 
+constexpr const char* weld_flag = "--weld";
+
+/// As the engine has it.
+constexpr double largest_tolerance = 1e100;
+
 /// The whole text as a number, or the reason why it is none.
 template <class Number>
 std::string out_of_range(const std::string& text, Number low, Number high, const std::string& wanted) {
@@ -27,6 +32,14 @@ std::string out_of_range(const std::string& text, Number low, Number high, const
 }
 
 }  // namespace
+
+void fill_in_values(std::vector<std::string>& words) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] != weld_flag) continue;
+    const bool has_value = i + 1 < words.size() && out_of_range(words[i + 1], -infinity, infinity, "").empty();
+    if (!has_value) words.insert(words.begin() + static_cast<std::ptrdiff_t>(i) + 1, "0");
+  }
+}
 
 void add_input(CLI::App& command, std::filesystem::path& file) {
   command.add_option("INPUT", file, help_for_input())->required();
@@ -41,7 +54,16 @@ void add_read_options(CLI::App& command, ReadOptions& read) {
                                         "Take the input as 'points' or 'mesh' (default: a mesh if it has faces)")
       ->check(CLI::IsMember({"points", "mesh"}))
       ->type_name("KIND");
-  command.add_flag("--weld", read.weld, "Merge mesh vertices that are at exactly the same place");
+  const auto set_weld = [&read](const std::string& tolerance) {
+    read.weld = true;
+    std::from_chars(tolerance.data(), tolerance.data() + tolerance.size(), read.weld_tolerance);
+  };
+  command
+      .add_option_function<std::string>(weld_flag, set_weld,
+                                        "Merge mesh vertices that are at exactly the same place, or no farther apart "
+                                        "than TOLERANCE, in the units of the input")
+      ->check(number_from_to(0, largest_tolerance))
+      ->type_name("[TOLERANCE]");
   command
       .add_option("--weights", read.weights,
                   "Weights of the faces: property:NAME of a PLY file, or a text file with one number a line for each "

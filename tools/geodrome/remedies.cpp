@@ -18,6 +18,7 @@ constexpr RemedySentence sentences[] = {
     {"resume.anew", "{0}, or rerun without --resume to start anew"},
     {"index", "name a file that 'geodrome queries --index' made, or a new one"},
     {"read.weld", "use --weld to merge them"},
+    {"read.weld_within", "--weld {0} joins them"},
     {"read.drop_nonfinite", "use --drop-nonfinite to leave such points out"},
     {"read.points", "use --as points"},
     {"read.vertices", "use --as points to take its vertices"},

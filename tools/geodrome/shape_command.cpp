@@ -6,6 +6,7 @@
 #include "geodrome/engine/outputs.hpp"
 #include "tools/geodrome/commands.hpp"
 #include "tools/geodrome/console.hpp"
+#include "tools/geodrome/remedies.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome::cli {
@@ -29,7 +30,8 @@ int write_shape(const ShapeArguments& arguments) {
   check_outputs({&arguments.out, 1}, {});
   if (arguments.mesh) {
     const SurfaceMesh made = shapes::mesh(arguments.kind, arguments.faces, arguments.spec.seed);
-    write_mesh(arguments.out, made);
+    for (const Finding& finding : write_mesh(arguments.out, made))
+      std::cerr << "warning: " << finding.message << "; " << words(finding.remedy) << "\n";
     std::cout << arguments.out.string() << ": " << made.vertex_count() << " vertices, " << made.face_count()
               << " faces\n";
   } else {

@@ -27,6 +27,9 @@ void add_surface(CLI::App& app, Action& action) {
   command.add_option("-o,--output", job.out, "The mesh: " + help_for_writing(Content::mesh))
       ->required()
       ->type_name("FILE");
+  add_choice<ScalarType>(command, "--dtype", job.scalar,
+                         {{"float64", ScalarType::float64}, {"float32", ScalarType::float32}},
+                         "Coordinates of a .ply; float32 for viewers that know no doubles (.stl has float32 always)");
   add_job_options(command, job.settings, arguments.quiet);
 }
 

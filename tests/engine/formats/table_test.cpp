@@ -81,7 +81,10 @@ TEST(Formats, ReadWhatTheyWrite) {
       if (!format.reads(content) || !format.writes(content)) continue;
       const auto file = folder / ("written" + std::string(format.endings.front()));
       const std::vector<Vec3> points(mesh.positions().begin(), mesh.positions().end());
-      content == Content::mesh ? write_mesh(file, mesh) : write_points(file, points);
+      if (content == Content::mesh)
+        write_mesh(file, mesh);
+      else
+        write_points(file, points);
       const Input input = read_input(file);
       EXPECT_EQ(input.format, lower_case(format.name));
       EXPECT_EQ(input.kind == InputKind::mesh, content == Content::mesh);

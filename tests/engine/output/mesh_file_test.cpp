@@ -69,6 +69,55 @@ TEST(MeshWriter, StlRefusesWhatFloatsCannotHold) {
   EXPECT_FALSE(std::filesystem::exists(folder / "m.stl"));
 }
 
+/// A 3 x 3 lattice of spacing 0.1 at a northing where float32 comes in steps of 0.5.
+SurfaceMesh far_lattice() {
+  std::vector<Vec3> points;
+  for (int j = 0; j < 3; ++j)
+    for (int i = 0; i < 3; ++i) points.push_back({0.1 * i, 5405590 + 0.1 * j, 0});
+  return {points, {{0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {3, 4, 7}, {3, 7, 6}, {4, 5, 8}, {4, 8, 7}}};
+}
+
+TEST(MeshWriter, StlAndPlyOfFloatsTellWhichVerticesFallTogether) {
+  const TemporaryFolder folder;
+  for (const char* name : {"m.stl", "m.ply"}) {
+    const std::vector<Finding> told = write_mesh(folder / name, far_lattice(), ScalarType::float32);
+    ASSERT_EQ(told.size(), 1u) << name;
+    EXPECT_EQ(told[0].code, "float32_loss");
+    EXPECT_EQ(told[0].count, 6u) << "three rows become one";
+    EXPECT_NE(told[0].message.find("6 vertices fall together with others and 8 faces collapse"), std::string::npos)
+        << told[0].message;
+    EXPECT_NE(told[0].remedy.text.find(".ply"), std::string::npos);
+  }
+  for (const char* name : {"m.ply", "m.off", "m.obj"}) EXPECT_TRUE(write_mesh(folder / name, far_lattice()).empty());
+}
+
+TEST(MeshWriter, WhatFallsTogetherBeforehandIsNoLoss) {
+  const TemporaryFolder folder;
+  const SurfaceMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-0.0, 1.1, 0}}, {{0, 1, 2}, {3, 2, 4}});
+  EXPECT_TRUE(write_mesh(folder / "m.stl", mesh).empty());
+  const SurfaceMesh tiny({{0, 0, 0}, {1e-60, 0, 0}, {0, 1e-60, 0}}, {{0, 1, 2}});
+  EXPECT_EQ(write_mesh(folder / "m.stl", tiny).size(), 1u) << "all is 0 in floats";
+}
+
+TEST(MeshWriter, PlyOfFloatsHoldsThem) {
+  const TemporaryFolder folder;
+  const SurfaceMesh mesh({{0.1, 0, 0}, {1, 0.7, 0}, {0, 1, -0.3}}, {{0, 1, 2}});
+  write_mesh(folder / "m.ply", mesh, ScalarType::float32);
+  std::ifstream file(folder / "m.ply", std::ios::binary);
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(bytes.find("property float x\nproperty float y\nproperty float z\n"), std::string::npos);
+  const Input input = read_input(folder / "m.ply");
+  for (Index v = 0; v < 3; ++v) {
+    EXPECT_EQ(input.positions[v].x, float(mesh.positions()[v].x));
+    EXPECT_EQ(input.positions[v].y, float(mesh.positions()[v].y));
+    EXPECT_EQ(input.positions[v].z, float(mesh.positions()[v].z));
+  }
+  EXPECT_EQ(input.triangles.size(), 1u);
+  EXPECT_THROW(write_mesh(folder / "m.off", mesh, ScalarType::float32), OptionError);
+  const SurfaceMesh large({{0, 0, 0}, {1e50, 0, 0}, {0, 1, 0}}, {{0, 1, 2}});
+  expect_refused([&] { write_mesh(folder / "l.ply", large, ScalarType::float32); }, InputFault::range, "l.ply");
+}
+
 TEST(PointWriter, XyzPlyAndOffGiveTheSameBitsBack) {
   const std::vector<Vec3> points = random_points(40);
   const TemporaryFolder folder;

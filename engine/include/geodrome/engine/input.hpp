@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "geodrome/engine/scalar_type.hpp"
 #include "geodrome/finding.hpp"
 #include "geodrome/geometry.hpp"
 #include "geodrome/surface.hpp"
@@ -18,7 +19,10 @@ enum class InputKind { points, mesh };
 
 struct ReadOptions {
   std::optional<InputKind> as;  ///< default: a mesh if the file holds faces
-  bool weld = false;            ///< merge vertices of a mesh at exactly the same place
+  bool weld = false;            ///< merge vertices of a mesh at the same place into the first of them
+  /// With `weld`: vertices that are this far apart or less are at the same place, in units of the input; 0: exactly.
+  /// What would move a vertex farther, as a chain of vertices, is refused.
+  double weld_tolerance = 0;
   bool drop_nonfinite = false;  ///< drop points of a cloud that are not finite, instead of refusing
   /// Weights of the faces of a mesh: "property:NAME", a property of the faces of a PLY file, or the name of a text file
   /// with one number a line for each face of the file, in its order ('#' starts a comment); empty: all weigh 1. The
@@ -86,9 +90,12 @@ struct Arrays {
 Input make_input(const Arrays& arrays, const ReadOptions& options = {});
 
 /// Writes OFF, OBJ, PLY (binary, double) or STL by the name's ending, so that reading gives the same numbers (STL:
-/// float). Weights become the property "weight" of PLY. Throws InputError (io) if it cannot be written, OptionError for
-/// an unknown ending, or one that cannot hold the weights that the mesh has.
-void write_mesh(const std::filesystem::path& file, const SurfaceMesh& mesh);
+/// float). Weights become the property "weight" of PLY. `scalar` float32: coordinates of PLY as floats, for readers
+/// that know no doubles. Returns a warning if vertices fall together in floats. Throws InputError (io) if it cannot be
+/// written, (range) for a coordinate beyond float, OptionError for an unknown ending, or one that cannot hold the
+/// weights that the mesh has or such coordinates.
+std::vector<Finding> write_mesh(const std::filesystem::path& file, const SurfaceMesh& mesh,
+                                ScalarType scalar = ScalarType::float64);
 
 /// Writes points as XYZ, PLY or OFF by the name's ending. Errors as `write_mesh`.
 void write_points(const std::filesystem::path& file, const std::vector<Vec3>& points);

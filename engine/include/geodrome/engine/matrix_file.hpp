@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "geodrome/engine/row_sink.hpp"
+#include "geodrome/engine/scalar_type.hpp"
 
 namespace geodrome {
-
-enum class ScalarType { float64, float32 };
 
 /// The sink that stores a distance matrix on disk: written row by row, in any order, from any thread, it survives the
 /// end of the process at any moment.

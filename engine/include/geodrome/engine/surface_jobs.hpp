@@ -37,6 +37,7 @@ struct SurfaceJob {
   std::filesystem::path input;
   RunSettings settings;       ///< `stages.solver` is not used
   std::filesystem::path out;  ///< .ply, .off, .obj or .stl; .ply for a mesh with weights; empty: not written
+  ScalarType scalar = ScalarType::float64;  ///< of the coordinates of .ply; .stl has float32 always
 };
 
 /// Makes the surface, writes it, and gives it back. Throws what reading and the stages throw, OptionError for a name
