@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/formats/table.hpp"
 #include "engine/jobs/check_outputs.hpp"
+#include "engine/jobs/start.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/surface/selection.hpp"
@@ -12,18 +13,18 @@ namespace {
 
 /// The one entry that names an end of the path. `what`: the option.
 Selection parse_end(const std::string& text, const char* what) {
-  Selection selection = parse_selection(text);
-  if (!selection.all && selection.entries.size() != 1)
-    throw OptionError(std::string(what) + " names " + std::to_string(selection.entries.size()) + " points", "name one");
+  Selection selection = parse_place(text);
+  if (!selection.all && selection.count() != 1)
+    throw OptionError(std::string(what) + " names " + std::to_string(selection.count()) + " points", "name one");
   if (selection.has_starts()) throw OptionError(std::string(what) + " has no start distance of its own");
   return selection;
 }
 
-NamedPoint end_of(const Selection& selection, const char* what, const Session& session) {
-  const std::vector<NamedPoint> points = resolve(selection, session.input(), session.surface());
+std::vector<NamedPoint> end_of(const Selection& selection, const char* what, const Session& session) {
+  std::vector<NamedPoint> points = resolve(selection, session.input(), session.surface());
   if (points.size() != 1)
     throw OptionError(std::string(what) + " names " + std::to_string(points.size()) + " points", "name one");
-  return points[0];
+  return points;
 }
 
 }  // namespace
@@ -36,7 +37,9 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   constexpr const char *start = "the start of the path", *end = "the end of the path";
   const Selection from = parse_end(job.from, start), to = parse_end(job.to, end);
   const Session session(job.input, job.settings, observer, Provides::paths);
-  const PathResult path = session.path(end_of(from, start, session), end_of(to, end, session), job.query);
+  const std::vector<NamedPoint> first = end_of(from, start, session), last = end_of(to, end, session);
+  tell_off_surface(session.input(), session.surface(), {{from, first}, {to, last}}, observer);
+  const PathResult path = session.path(first[0], last[0], job.query);
   if (!job.out.empty()) write_atomically(job.out, format_to_write(job.out, Content::path).write_path(path));
   return path;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/session.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "engine/jobs/check.hpp"
 #include "engine/jobs/pairs/distances.hpp"
 #include "engine/jobs/session_state.hpp"
@@ -21,6 +24,13 @@ struct Session::Impl : SessionState {
     throw_if_refused(start, observer);
     tell_sample(start, observer);
   }
+
+  /// The points of a list; the observer is told of those off the surface.
+  std::vector<NamedPoint> points(const Selection& selection) const {
+    std::vector<NamedPoint> points = resolve(selection, start.input(), start.surface());
+    tell_off_surface(start.input(), start.surface(), {{selection, points}}, observer);
+    return points;
+  }
 };
 
 namespace {
@@ -32,8 +42,8 @@ void check_end(const NamedPoint& end, const std::string& what) {
 
 void check_starts(std::span<const NamedPoint> sources) {
   for (std::size_t i = 0; i < sources.size(); ++i)
-    if (const double start = sources[i].start; !(start >= 0 && start < infinity))
-      throw OptionError("sources[" + std::to_string(i) + "]: a start distance is a finite number >= 0, not " +
+    if (const double start = sources[i].start; !(start >= 0 && start <= largest_number))
+      throw OptionError("sources[" + std::to_string(i) + "]: a start distance is a number from 0 to 1e100, not " +
                         std::to_string(start));
 }
 
@@ -81,14 +91,12 @@ SurfaceReport Session::surface_report() const {
 
 CheckReport Session::check() const { return check_report(impl_->start, impl_->observer); }
 
-std::vector<NamedPoint> Session::select(const std::string& text) const {
-  return resolve(parse_selection(text), input(), surface());
-}
+std::vector<NamedPoint> Session::select(const std::string& text) const { return impl_->points(parse_selection(text)); }
 
 std::vector<NamedPoint> Session::select(std::span<const Index> rows) const {
   Selection selection;
   for (const Index row : rows) selection.entries.push_back({.index = row});
-  return resolve(selection, input(), surface());
+  return impl_->points(selection);
 }
 
 std::vector<NamedPoint> Session::select(std::span<const SurfacePoint> points) const {
@@ -104,9 +112,11 @@ std::vector<NamedPoint> Session::select(std::span<const Vec3> positions) const {
     const Vec3& p = positions[i];
     const std::string label = "positions[" + std::to_string(i) + "]";
     if (!is_finite(p)) throw OptionError(label + " is not finite");
+    if (std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) > largest_number)
+      throw OptionError(label + " has a coordinate beyond 1e100");
     selection.entries.push_back({.kind = PointEntry::Kind::position, .numbers = {p.x, p.y, p.z}, .label = label});
   }
-  return resolve(selection, input(), surface());
+  return impl_->points(selection);
 }
 
 std::vector<double> Session::distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
@@ -160,9 +170,12 @@ PathResult Session::path(const NamedPoint& from, const NamedPoint& to, Projectio
   const SourceSurface on = SourceSurfaces(rule, impl_->start.opened, {to}).of(from);
   check_provides(impl_->plugin.info, rule, {&on.source, 1}, on.targets->named(), infinity);
   StageContext context = impl_->context(ShortestPathSolver::stage, 1);
-  if (on.mesh == surface().mesh) return shortest_path(impl_->prepared(), *on.mesh, on.source, *on.targets, context);
-  const PreparedSolver own = prepare_solver(impl_->plugin, on.mesh, impl_->host, impl_->settings, impl_->observer);
-  return shortest_path(own, *on.mesh, on.source, *on.targets, context);
+  const PreparedSolver own =
+      on.mesh == surface().mesh ? impl_->prepared()
+                                : prepare_solver(impl_->plugin, on.mesh, impl_->host, impl_->settings, impl_->observer);
+  PathResult path = shortest_path(own, *on.mesh, on.source, *on.targets, context);
+  path.from_off_surface = from.off_surface, path.to_off_surface = to.off_surface;
+  return path;
 }
 
 std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {

@@ -6,17 +6,12 @@
 #include "engine/formats/remedies.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/input/finding_text.hpp"
+#include "engine/report/off_surface_text.hpp"
 #include "engine/search/prepared_solver.hpp"
 
 namespace geodrome {
 
 namespace {
-
-void tell(const std::vector<Finding>& findings, Observer& observer) {
-  for (const Finding& finding : findings)
-    observer.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning,
-                 text_of(finding, observer));
-}
 
 /// That a mesh has a boundary or several components is no news to whoever made it: `check` and the report say so.
 /// That its weights do not count may be.
@@ -47,6 +42,20 @@ void tell_input(const Input& input, const RunSettings& settings, Observer& obser
 }
 
 }  // namespace
+
+void tell(const std::vector<Finding>& findings, Observer& observer) {
+  for (const Finding& finding : findings)
+    observer.log(finding.severity == Finding::Severity::note ? LogLevel::info : LogLevel::warning,
+                 text_of(finding, observer));
+}
+
+OffSurface tell_off_surface(const Input& input, const PlacedSurface& surface, std::initializer_list<ResolvedList> lists,
+                            Observer& observer) {
+  OffSurfaceFinder finder(input, surface);
+  for (const auto& [selection, points] : lists) finder.add(selection, points);
+  tell(findings_of(finder.found()), observer);
+  return finder.found();
+}
 
 SolverPlugin load_solver(const PluginHost& host, const std::string& selection, Provides demands) {
   SolverPlugin plugin = host.load<ShortestPathSolver>(selection);

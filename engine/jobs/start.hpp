@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/report/sample_report.hpp"
+#include "engine/surface/off_surface.hpp"
 #include "engine/surface/opened.hpp"
 #include "geodrome/engine/pipeline.hpp"
 
@@ -11,6 +12,19 @@
 namespace geodrome {
 
 using SolverPlugin = Plugin<ShortestPathSolver>;
+
+/// Tells the observer of findings: of notes as information, of all others as warnings.
+void tell(const std::vector<Finding>& findings, Observer& observer);
+
+/// A list, and the points that it names.
+struct ResolvedList {
+  const Selection& selection;
+  const std::vector<NamedPoint>& points;
+};
+
+/// Finds what the lists name off the surface, and tells the observer what there is to warn of.
+OffSurface tell_off_surface(const Input& input, const PlacedSurface& surface, std::initializer_list<ResolvedList> lists,
+                            Observer& observer);
 
 /// Loads the solver that was chosen. Throws as PluginHost::load, and CapabilityError if it lacks one of `demands`,
 /// which are those of the job whatever the surface.

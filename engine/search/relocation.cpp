@@ -56,8 +56,9 @@ void put(Place& place, const SurfacePoint& at, const SurfaceMesh& mesh) {
 
 void locate_all(std::span<NamedPoint> places, const MeshPtr& to) {
   const SurfaceLocator locator(to);
-  for (auto& [place, start, row, label] : places)
-    if (place.state == Place::State::on_surface) put(place, locator.closest(place.position).at, *to);
+  for (NamedPoint& named : places)
+    if (Place& place = named.place; place.state == Place::State::on_surface)
+      put(place, locator.closest(place.position).at, *to);
 }
 
 }  // namespace
@@ -66,7 +67,8 @@ void relocate(std::span<NamedPoint> places, const SurfaceMesh& from, const Surfa
   const auto [gone, fresh] = compare(from.triangles(), to->triangles());
   if (fresh.size() > most_fresh) return locate_all(places, to);
   const Box box(*to, fresh);
-  for (auto& [place, start, row, label] : places) {
+  for (NamedPoint& named : places) {
+    Place& place = named.place;
     if (place.state != Place::State::on_surface) continue;
     // The closest point of the faces that stayed: the old one, or one sought without those that are no more.
     Index face = place.at.face;

@@ -3,6 +3,7 @@
 
 #include <unordered_map>
 
+#include "engine/surface/off_surface.hpp"
 #include "engine/surface/place.hpp"
 #include "engine/surface/selection.hpp"
 
@@ -24,10 +25,11 @@ class Resolver {
 
   NamedPoint row(std::size_t i) const { return {surface_.places[i], 0, static_cast<Index>(i), std::to_string(i)}; }
 
-  /// `file`: where the entry stands; empty: in the text itself.
-  NamedPoint point(const PointEntry& entry, const std::string& file) {
+  /// Appends the points of an entry. `file`: where it stands; empty: in the text itself.
+  void append(const PointEntry& entry, const std::string& file, std::vector<NamedPoint>& points) {
     try {
-      return point(entry);
+      if (entry.kind == PointEntry::Kind::row) demand_index(last_row(entry), surface_.places.size(), "row");
+      for (std::uint64_t i = 0; i < entry.count; ++i) points.push_back(point(entry, i));
     } catch (const OptionError& error) {
       if (file.empty()) throw;
       throw InputError(InputFault::syntax, file + ": line " + std::to_string(entry.line) + ": " + error.message(),
@@ -35,26 +37,30 @@ class Resolver {
     }
   }
 
-  Place closest(const Vec3& position) {
+  NamedPoint closest(const Vec3& position, const PointEntry& entry) {
     if (!locator_) locator_ = std::make_shared<const SurfaceLocator>(surface_.mesh);
-    const SurfacePoint at = locator_->closest(position).at;
+    if (rounding_ < 0) rounding_ = share_of_rounding * surface_diagonal(*surface_.mesh);
+    const auto [at, off] = locator_->closest(position);
     // On a mesh the surface itself was given, so the point meant is the one on it; a cloud's surface is an estimate.
     const bool estimated = surface_.made_from == InputKind::points;
-    return place_on(*surface_.mesh, at, estimated ? position : surface_.mesh->position(at));
+    return {place_on(*surface_.mesh, at, estimated ? position : surface_.mesh->position(at)), entry.start, no_index,
+            entry.label, off > rounding_ ? off : 0};
   }
 
  private:
-  NamedPoint point(const PointEntry& entry) {
+  static std::size_t last_row(const PointEntry& entry) { return entry.index + (entry.count - 1) * entry.step; }
+
+  /// `i`: which of the rows that it names.
+  NamedPoint point(const PointEntry& entry, std::uint64_t i) {
     const auto& [x, y, z] = entry.numbers;
     switch (entry.kind) {
       case PointEntry::Kind::row: {
-        demand_index(entry.index, surface_.places.size(), "row");
-        NamedPoint named = row(entry.index);
+        NamedPoint named = row(entry.index + i * entry.step);
         named.start = entry.start;
         return named;
       }
       case PointEntry::Kind::position:
-        return {closest({x, y, z}), entry.start, no_index, entry.label};
+        return closest({x, y, z}, entry);
       default:
         return {on_face(entry), entry.start, no_index, entry.label};
     }
@@ -83,6 +89,7 @@ class Resolver {
   const Input& input_;
   const PlacedSurface& surface_;
   std::shared_ptr<const SurfaceLocator> locator_;
+  double rounding_ = -1;  // not known yet
   std::unordered_map<Index, std::vector<Index>> triangles_of_face_;
 };
 
@@ -93,7 +100,7 @@ std::vector<NamedPoint> resolve(const Selection& selection, const Input& input, 
   std::vector<NamedPoint> points;
   if (selection.all)
     for (std::size_t i = 0; i < surface.places.size(); ++i) points.push_back(resolver.row(i));
-  for (const PointEntry& entry : selection.entries) points.push_back(resolver.point(entry, selection.file));
+  for (const PointEntry& entry : selection.entries) resolver.append(entry, selection.file, points);
   return points;
 }
 
@@ -101,8 +108,12 @@ PairList resolve(const PairSelection& selection, const Input& input, const Place
   Resolver resolver(input, surface);
   PairList list{{}, selection.hash};
   list.pairs.reserve(selection.pairs.size());
-  for (const auto& [from, to] : selection.pairs)
-    list.pairs.push_back({resolver.point(from, selection.file), resolver.point(to, selection.file)});
+  std::vector<NamedPoint> ends;
+  for (const auto& [from, to] : selection.pairs) {
+    ends.clear();
+    resolver.append(from, selection.file, ends), resolver.append(to, selection.file, ends);
+    list.pairs.push_back({std::move(ends[0]), std::move(ends[1])});
+  }
   return list;
 }
 

@@ -13,14 +13,18 @@
 /// that mistakes are told before one is made; `resolve` finds the places.
 namespace geodrome {
 
-/// An entry of a list, as it is written.
+/// Numbers beyond it are refused, as those of an input are: their squares must stay in the range of double.
+constexpr double largest_number = 1e100;
+
+/// An entry of a list, as it is written. One of kind `row` names `count` rows: index, index + step, ...
 struct PointEntry {
   enum class Kind : std::uint8_t { row, position, on_face };
 
   Kind kind = Kind::row;
-  std::uint32_t line = 0;           ///< of its file, from 1
-  std::size_t index = 0;            ///< the row, or the face as counted in the input
-  std::array<double, 3> numbers{};  ///< x, y, z, or barycentric coordinates, which sum to 1
+  std::uint32_t line = 0;             ///< of its file, from 1
+  std::size_t index = 0;              ///< the first row, or the face as counted in the input
+  std::uint64_t count = 1, step = 1;  ///< below 2^32: a range takes no room before it is known that its rows exist
+  std::array<double, 3> numbers{};    ///< x, y, z, or barycentric coordinates, which sum to 1
   double start = 0;
   std::string label;  ///< of an entry that is no row
 };
@@ -32,6 +36,7 @@ struct Selection {
   std::vector<PointEntry> entries;
 
   bool has_starts() const;
+  std::uint64_t count() const;  ///< of the points that the entries name
 };
 
 struct PairEntry {
@@ -47,6 +52,10 @@ struct PairSelection {
 /// Reads the text that `select` reads. Throws OptionError for a bad list, InputError naming file and line for a bad
 /// file.
 Selection parse_selection(const std::string& text);
+
+/// As `parse_selection`, for a text that should name one point: commas may also stand between the numbers of 'x,y,z'
+/// and 'face,b0,b1,b2', which are then no list of rows.
+Selection parse_place(const std::string& text);
 
 /// Reads the file that `select_pairs` reads. Throws InputError naming file and line.
 PairSelection parse_pairs(const std::filesystem::path& file);

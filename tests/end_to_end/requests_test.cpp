@@ -109,8 +109,8 @@ TEST_F(Requests, APlaceThatCannotBeWrittenIsFoundBeforeAnythingIsComputed) {
 }
 
 TEST_F(Requests, ListsWithMistakesNameTheWordAndTheRemedy) {
-  for (const std::string list :
-       {"", ",", "0,,1", "0,1,", "0, 1", "-1", "+1", "1.5", "nan", "6", "99999999999999999999"})
+  for (const std::string list : {"", ",", "0,,1", "0,1,", "0 1", "0 1 2", "-1", "+1", "1.5", "nan", "6", "5-6", "2-1",
+                                 "0:9:9,0:x", "0-4000000000", "99999999999999999999"})
     expect(distances({"-o", file("d.npy"), "--sources", list}), 2, ";");
   expect(distances({"-o", file("d.npy"), "--sources", "@" + folder_.path().string()}), 3, "directory");
   expect(distances({"-o", file("d.npy"), "--sources", "@"}), 3, "list");

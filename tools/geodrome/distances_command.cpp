@@ -34,7 +34,8 @@ void add_distances(CLI::App& app, Action& action) {
   DistanceJob& job = arguments.job;
   add_input(command, job.input);
   add_distance_outputs(command, job);
-  const char* list = "'all', indices '0,5,9', or '@FILE' with lines 'i', 'x y z' or 'face b0 b1 b2'";
+  const char* list =
+      "'all', rows '0,5,9', '1-5' or '0:100:10', points 'x y z', or '@FILE' with lines of these or 'face b0 b1 b2'";
   command.add_option("--sources", job.sources, std::string(list) + ", each with an optional '+ start'")
       ->type_name("LIST")
       ->capture_default_str();

@@ -19,6 +19,12 @@ int write_path(const PathArguments& arguments) {
   else
     std::cout << "distance " << path.distance << ", path of " << path.points.size() << " points, length " << path.length
               << "\n";
+  const auto tell_off = [](const char* end, double distance) {
+    if (distance > 0)
+      std::cout << end << " lies " << distance << " off the surface: its closest surface point is taken\n";
+  };
+  std::cout.precision(4);
+  tell_off("the start", path.from_off_surface), tell_off("the end", path.to_off_surface);
   return 0;
 }
 
@@ -29,7 +35,8 @@ void add_path(CLI::App& app, Action& action) {
       add_command(app, action, "path", "A shortest path between two points, as a polyline on the surface", write_path);
   PathJob& job = arguments.job;
   add_input(command, job.input);
-  const char* entry = "An index, or '@FILE' with one line as for 'distances --sources'";
+  const char* entry =
+      "A row 'i', a point 'x,y,z', a place 'face,b0,b1,b2', or '@FILE' with one line as for 'distances --sources'";
   command.add_option("--from", job.from, entry)->required()->type_name("I");
   command.add_option("--to", job.to, entry)->required()->type_name("J");
   command.add_option("-o,--output", job.out, "The polyline: " + help_for_writing(Content::path))

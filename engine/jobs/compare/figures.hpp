@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/checks/invariants.hpp"
 #include "engine/jobs/compare/errors.hpp"
 #include "engine/jobs/compare/guarantee.hpp"
-#include "engine/checks/invariants.hpp"
 #include "geodrome/engine/input.hpp"
 
 /// The figures that a comparison of combinations of plugins finds: the values of `geodrome compare`, before they become
@@ -62,6 +62,7 @@ struct ComparedSource {
   std::string entry;
   std::optional<std::size_t> row;
   Vec3 position;
+  double off_surface = 0;  ///< as `NamedPoint::off_surface`
 };
 
 struct TruthFigures {

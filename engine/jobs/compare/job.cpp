@@ -11,6 +11,7 @@
 #include "engine/jobs/compare/view.hpp"
 #include "engine/jobs/start.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/float32_loss.hpp"
 #include "engine/surface/selection.hpp"
 #include "geodrome/engine/jobs.hpp"
 
@@ -41,6 +42,7 @@ class Comparison {
   Comparison(const CompareJob& job, const Selection& sources, const PluginHost& host, const RunSettings& settings,
              const Input& input, Observer& observer)
       : job_(job),
+        selection_(sources),
         host_(host),
         settings_(settings),
         input_(input),
@@ -62,7 +64,11 @@ class Comparison {
     if (surface) {
       const auto on = surfaces_.placed(surface);  // what is wrong with the sources is wrong for all,
       truth_.read_file(*on);                      // and what is wrong with the file
-      if (sources_.empty()) sources_ = on->sources;
+      if (sources_.empty()) {
+        sources_ = on->sources;
+        tell_off_surface(input_, *surface, {{selection_, sources_}}, observer_);
+        tell_of_page(*surface->mesh);
+      }
       attempt(figures, [&] { fill(figures, combination, solver, on); });
     }
     if (!figures.ran() && !job_.page.empty()) view_.add_failed();
@@ -97,6 +103,15 @@ class Comparison {
     }
   }
 
+  /// The page shows the surface in 32-bit floats.
+  void tell_of_page(const SurfaceMesh& mesh) {
+    if (job_.page.empty()) return;
+    std::vector<Finding> told = float32_loss(job_.page, mesh);
+    for (Finding& finding : told)
+      finding.remedy = "its numbers are right, its picture is not; subtract a common offset";
+    tell(told, observer_);
+  }
+
   void fill(CombinationFigures& figures, const Combination& combination, const SolverPlugin& solver,
             const std::shared_ptr<const ComparedSurface>& on) {
     judge(figures, combination.name, solver, *on);
@@ -119,12 +134,13 @@ class Comparison {
   }
 
   ComparedSource told(const NamedPoint& source) const {
-    if (source.row == no_index) return {source.label, std::nullopt, source.place.position};
+    if (source.row == no_index) return {source.label, std::nullopt, source.place.position, source.off_surface};
     const Index element = input_.element_of_row[source.row];  // its place is lost where it was dropped
     return {source.label, source.row, element == no_index ? Vec3{} : input_.positions[element]};
   }
 
   const CompareJob& job_;
+  const Selection& selection_;
   const PluginHost& host_;
   const RunSettings& settings_;
   const Input& input_;

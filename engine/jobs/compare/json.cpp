@@ -109,7 +109,9 @@ Json to_json(const CombinationFigures& combination) {
 
 Json to_json(const ComparedSource& source) {
   const Vec3& p = source.position;
-  return {{"entry", source.entry}, {"row", or_null(source.row)}, {"position", {p.x, p.y, p.z}}};
+  Json json{{"entry", source.entry}, {"row", or_null(source.row)}, {"position", {p.x, p.y, p.z}}};
+  if (source.off_surface > 0) json["off_surface"] = source.off_surface;
+  return json;
 }
 
 }  // namespace

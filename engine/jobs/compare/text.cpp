@@ -108,6 +108,10 @@ void print_notes(const ComparisonFigures& figures, std::ostream& out) {
   out << "truth: " << figures.truth.text << "\n"
       << "errors: |D/T - 1|; near: mean below " << near_share << " of the largest true distance, far: from "
       << far_share << " on; times in seconds, on one thread\n";
+  for (const ComparedSource& source : figures.sources)
+    if (source.off_surface > 0)
+      out << "source " << source.entry << ": " << number(source.off_surface, 4)
+          << " off the surface; its closest surface point is taken\n";
   for (const CombinationFigures& combination : figures.combinations) {
     if (!combination.ran()) continue;
     const auto note = [&](const std::string& text) { out << combination.name << ": " << text << "\n"; };

@@ -43,6 +43,7 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   Json json{{"geodrome", version()}, {"input", opened.input.hash}};
   const ReadOptions& read = job.settings.read;
   json["as"] = opened.input.kind == InputKind::mesh ? "mesh" : "points";
+  if (read.weld_tolerance > 0) json["weld_tolerance"] = read.weld_tolerance;
   json["weld"] = read.weld, json["drop_nonfinite"] = read.drop_nonfinite;
   json["weights"] = opened.input.weights.empty() ? "none" : opened.input.weights_hash;
   for (const StageRecord& stage : opened.surface.stages) json[stage.plugin.stage] = chosen(stage);
@@ -117,16 +118,19 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   throw_if_refused(start, observer);
   const std::vector<NamedPoint> sources = resolve(from, opened.input, opened.surface);
   check_rule(job.query, opened, sources);
-  const SourceSurfaces surfaces(job.query, opened, resolve(to, opened.input, opened.surface));
+  std::vector<NamedPoint> named = resolve(to, opened.input, opened.surface);
+  const OffSurface off = tell_off_surface(opened.input, opened.surface, {{from, sources}, {to, named}}, observer);
+  const SourceSurfaces surfaces(job.query, opened, std::move(named));
   const TargetList& targets = surfaces.targets();
   check_provides(session.plugin.info, job.query, sources, targets.named(), job.max_distance);
 
-  RunRecord record{job, start, session.prepared(), sources.size(), targets.size()};
+  RunRecord record{job, start, session.prepared(), sources.size(), targets.size(), off};
   search(record, surfaces, sources, observer);
   record.total_seconds = total.seconds();
 
   if (record.nearest) write_atomically(job.nearest, as_csv(*record.nearest, sources, targets.named()));
-  if (!job.surface.empty()) write_mesh(job.surface, *opened.surface.mesh);
+  if (!job.surface.empty()) record.surface_findings = write_mesh(job.surface, *opened.surface.mesh);
+  tell(record.surface_findings, observer);
   JobReport report = write_report(record);
   if (!job.report.empty()) write_atomically(job.report, report.json + "\n");
   return report;

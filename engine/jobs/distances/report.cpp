@@ -6,6 +6,7 @@
 
 #include "engine/formats/text.hpp"
 #include "engine/report/memory.hpp"
+#include "engine/report/off_surface_text.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/search/projection_rule.hpp"
 
@@ -144,6 +145,7 @@ void summarize_matrix(const RunRecord& record, std::ostream& out) {
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
   out.precision(4);
   summarize_provenance(record.start.input(), surface, record.solver, out);
+  summarize(record.off_surface, out);
   if (record.matrix) summarize_matrix(record, out);
   if (record.nearest)
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
@@ -166,6 +168,9 @@ JobReport write_report(const RunRecord& record) {
   const SurfaceFacts facts = sample ? *sample->surface : facts_of(*opened.surface.mesh);
   Json json{{"geodrome", run_json(record)}};
   add_provenance(json, opened, sample, facts, record.solver);
+  add_off_surface(json, record.off_surface);
+  if (!record.surface_findings.empty())
+    json["surface_file"] = {{"file", record.job.surface.string()}, {"findings", to_json(record.surface_findings)}};
   if (record.matrix) json["matrix"] = to_json(*record.matrix);
   if (record.nearest) json["nearest"] = to_json(*record.nearest);
   json["audit"] = to_json(record.audit);

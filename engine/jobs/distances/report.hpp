@@ -17,6 +17,8 @@ struct RunRecord {
   const JobStart& start;
   const PreparedSolver& solver;
   std::size_t source_count = 0, target_count = 0;
+  OffSurface off_surface;                 ///< sources and targets
+  std::vector<Finding> surface_findings;  ///< of the file of the surface
   std::optional<MatrixResult> matrix;
   std::optional<NearestResult> nearest;
   AuditSummary audit;

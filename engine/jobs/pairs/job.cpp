@@ -10,6 +10,7 @@
 #include "engine/jobs/pairs/report.hpp"
 #include "engine/jobs/session_state.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/report/off_surface_text.hpp"
 #include "engine/surface/selection.hpp"
 
 namespace geodrome {
@@ -58,7 +59,10 @@ JobReport run_pairs(const PairJob& job, Observer& observer) {
   if (start.opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, start) + "\n");
   throw_if_refused(start, observer);
   const PlacedSurface& surface = start.surface();
-  const PairList list = resolve(std::exchange(selection, {}), start.input(), surface);
+  const PairList list = resolve(selection, start.input(), surface);
+  OffSurfaceFinder off(start.input(), surface);
+  off.add(std::exchange(selection, {}), list);
+  tell(findings_of(off.found()), observer);
   const PreparedSolver& solver = session.prepared();
   const ReadyOracle& oracle = session.oracle(job.index);
   const unsigned threads = thread_count(job.settings);
@@ -66,7 +70,7 @@ JobReport run_pairs(const PairJob& job, Observer& observer) {
   const PairDistances distances = pair_distances(surface, solver, *oracle.oracle, list.pairs, threads, context);
   const bool csv = has_ending(job.out, ".csv");
   write_atomically(job.out, csv ? as_csv(list.pairs, distances.values) : as_npy(distances.values));
-  const JobReport report = write_report({job, start, solver, list, oracle, distances, total.seconds()});
+  const JobReport report = write_report({job, start, solver, list, oracle, distances, off.found(), total.seconds()});
   if (!job.report.empty()) write_atomically(job.report, report.json + "\n");
   return report;
 }

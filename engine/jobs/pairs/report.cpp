@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "engine/report/memory.hpp"
+#include "engine/report/off_surface_text.hpp"
 #include "engine/report/provenance.hpp"
 
 namespace geodrome {
@@ -85,6 +86,7 @@ std::string summary_of(const PairRecord& record, const SurfaceFacts& surface, co
   std::ostringstream out;
   out.precision(4);
   summarize_provenance(record.start.input(), surface, record.solver, out);
+  summarize(record.off_surface, out);
   summarize_oracle(record.job, record.oracle, out);
   summarize_pairs(record.job, record.distances, out);
   if (sample) print_short(*sample, out);
@@ -100,6 +102,7 @@ JobReport write_report(const PairRecord& record) {
   Json json{{"geodrome", settings_json(record.job.settings)}};
   json["geodrome"]["output"] = record.job.out.string();
   add_provenance(json, opened, sample, facts, record.solver);
+  add_off_surface(json, record.off_surface);
   json["oracle"] = oracle_json(record);
   json["pairs"] = pairs_json(record);
   json["audit"] = audit_json(record.distances.audit);

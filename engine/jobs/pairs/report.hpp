@@ -18,6 +18,7 @@ struct PairRecord {
   const PairList& list;
   const ReadyOracle& oracle;
   const PairDistances& distances;
+  OffSurface off_surface;
   double total_seconds = 0;
 };
 

@@ -182,6 +182,40 @@ TEST_F(Sessions, SelectRowsPointsAndPositions) {
   EXPECT_THROW(session.select(infinite), OptionError);
 }
 
+/// Keeps the warnings.
+class WarningRecorder final : public Observer {
+ public:
+  void log(LogLevel level, std::string_view message) override {
+    if (level == LogLevel::warning) warnings.emplace_back(message);
+  }
+  std::vector<std::string> warnings;
+};
+
+TEST_F(Sessions, TellPointsOffTheSurface) {
+  WarningRecorder observer;
+  const Session session(make_input(arrays()), settings_, observer);
+  const std::vector<Vec3> near{mesh_->positions()[7]}, far{{100, 0, 0}, mesh_->positions()[3]};
+  EXPECT_EQ(session.select(near)[0].off_surface, 0);
+  EXPECT_TRUE(observer.warnings.empty());
+  const std::vector<NamedPoint> named = session.select(far);
+  EXPECT_GT(named[0].off_surface, 90);
+  EXPECT_EQ(named[1].off_surface, 0);
+  ASSERT_EQ(observer.warnings.size(), 1u);
+  EXPECT_NE(observer.warnings[0].find("'positions[0]' by 9"), std::string::npos) << observer.warnings[0];
+  const PathResult path = session.path(named[1], named[0]);
+  EXPECT_EQ(path.from_off_surface, 0);
+  EXPECT_EQ(path.to_off_surface, named[0].off_surface);
+}
+
+TEST_F(Sessions, RefuseNumbersBeyondTheRangeOfInputs) {
+  const Session session = in_memory();
+  const std::vector<Vec3> beyond{{0, 1e200, 0}};
+  EXPECT_THROW(session.select(beyond), OptionError);
+  auto late = session.select("3");
+  late[0].start = std::numeric_limits<double>::max();
+  EXPECT_THROW(session.nearest(late, session.select("all")), OptionError);
+}
+
 TEST_F(Sessions, ReportOfTheSurface) {
   const Session session = in_memory();
   const SurfaceReport report = session.surface_report();

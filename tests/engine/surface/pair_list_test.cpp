@@ -57,13 +57,32 @@ TEST_F(PairFiles, MayHaveCommentsBlankLinesAndWindowsLineEnds) {
   EXPECT_EQ(pairs[2].from.place.state, Place::State::isolated);
 }
 
+TEST_F(PairFiles, MayBeRowsAsNumpyWritesThem) {
+  const auto pairs = read("0.000e+00 3.000e+00\n1.000e+00,2.000e+00\n").pairs;
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(pairs[0].from.row, 0u);
+  EXPECT_EQ(pairs[0].to.row, 3u);
+  EXPECT_EQ(pairs[1].to.label, "2");
+}
+
+TEST_F(PairFiles, HaveOnePointAtEachEnd) {
+  expect_error("0-1, 3", "'0-1' names 2 rows");
+  expect_error("0, 0:4:2", "'0:4:2' names 2 rows");
+  EXPECT_EQ(read("0, 3-3").pairs[0].to.row, 3u);
+}
+
+TEST_F(PairFiles, MeasureHowFarAnEndIsOffTheSurface) {
+  EXPECT_EQ(read("0, 0.5 0.25 7").pairs[0].to.off_surface, 7);
+  EXPECT_EQ(read("0 0.2 0.3 0.5, 4").pairs[0].from.off_surface, 0);
+}
+
 TEST_F(PairFiles, AreToldApartByTheirHash) {
   EXPECT_EQ(read("0,1").hash, read("0,1").hash);
   EXPECT_NE(read("0,1").hash, read("0,2").hash);
 }
 
 TEST_F(PairFiles, OfOneEntryOrThreeNameFileAndLine) {
-  for (const std::string line : {"0", "0 1", "0; 1", "0, 1, 2", "0,5 0 0, 1", ","}) expect_error(line, "'i, j'");
+  for (const std::string line : {"0", "0; 1", "0, 1, 2", "0,5 0 0, 1", "0 1 2", ","}) expect_error(line, "'i, j'");
 }
 
 TEST_F(PairFiles, WithAnEntryThatIsNoneNameIt) {

@@ -51,7 +51,7 @@ TEST_F(SampleChains, GiveWhatEachChoiceGivesAlone) {
 TEST_F(SampleChains, ComputeSharedStagesOnce) {
   SampleChain chain(input_, host_, settings_, observer_);
   const PlacedSurface greedy = chain.make(with("greedy")).surface, none = chain.make(with("none")).surface,
-                again = chain.make(with("greedy")).surface;
+                      again = chain.make(with("greedy")).surface;
   ASSERT_EQ(greedy.stages.size(), 4u);
   ASSERT_EQ(none.stages.size(), 4u);
   // Another run would not take the same number of nanoseconds in both stages.

@@ -31,6 +31,7 @@ struct PathResult {
   double length = 0;    ///< of the polyline, weighted by the faces that it crosses if they have weights
   std::vector<SurfacePoint> points;
   std::vector<Vec3> positions;
+  double from_off_surface = 0, to_off_surface = 0;  ///< as `NamedPoint::off_surface` of the ends
 };
 
 }  // namespace geodrome

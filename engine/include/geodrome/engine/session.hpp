@@ -61,14 +61,16 @@ class Session {
   /// Returns the report of `run_check` on the input, with this solver's part in the guarantee of a sample.
   CheckReport check() const;
 
-  /// Points by the text that the function `select` reads: "all", "0,5,9" or "@FILE". Throws as that.
+  /// Points by the text that the function `select` reads: "all", "0,5,9", "0:100:10" or "@FILE". Throws as that. The
+  /// observer is told of points that lie off the surface; each has its distance in `NamedPoint::off_surface`.
   std::vector<NamedPoint> select(const std::string& text) const;
   /// Rows of the input. Throws OptionError for one that is not there.
   std::vector<NamedPoint> select(std::span<const Index> rows) const;
   /// Points of the surface's mesh. Throws OptionError for a face that is not there and for barycentric coordinates that
   /// are negative or do not sum to 1.
   std::vector<NamedPoint> select(std::span<const SurfacePoint> points) const;
-  /// Points in space: the closest surface points, as `x y z` in a list. Throws OptionError for one that is not finite.
+  /// Points in space: the closest surface points, as `x y z` in a list. The observer is told of those that lie off the
+  /// surface, as above. Throws OptionError for one that is not finite, or beyond 1e100.
   /// O(log F) each, and for a mesh O(F log F) once a call.
   std::vector<NamedPoint> select(std::span<const Vec3> positions) const;
 
