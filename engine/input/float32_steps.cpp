@@ -83,7 +83,7 @@ void tell_float32_steps(Input& input) {
   const double step = float32_step(input.positions);
   if (!is_doubtful(step, input)) return;
   const double spacing = input.kind == InputKind::mesh ? median_edge(input) : median_gap(input.positions);
-  if (!(step > small_share * spacing)) return;
+  if (!(spacing > 0 && step > small_share * spacing)) return;  // a single point has no spacing
   std::ostringstream text;
   text.precision(3);
   text << "The coordinates come in steps of " << step << ", as 32-bit floats have them so far from the origin; that is "

@@ -14,27 +14,28 @@ class Clusters {
       : places_(places), tolerance_(tolerance), tree_(tree_of(places)), first_(places.size(), no_index) {}
 
   MergedWithin run() {
-    for (Index place = 0; place < places_.size() && result_.chained == no_index; ++place)
-      if (first_[place] == no_index) grow(place);
+    std::vector<bool> taken(places_.size());
+    for (Index place = 0; place < places_.size() && result_.chained == no_index; ++place) {
+      if (taken[place]) continue;
+      first_[place] = place;
+      take_joined(
+          tree_, places_, place, taken, [&](Index) { return tolerance_; }, [](Index, Index) { return true; },
+          [&](Index near) { return merge(near, place); });
+    }
     if (result_.chained == no_index) number();
     return std::move(result_);
   }
 
  private:
-  void grow(Index first) {
-    first_[first] = first;
-    std::vector<Index> reached{first};
-    for (std::size_t i = 0; i < reached.size(); ++i)
-      for (const Index near : places_near(tree_, places_[reached[i]], tolerance_)) {
-        if (first_[near] != no_index) continue;
-        const double moved = distance(places_[near], places_[first]);
-        if (moved > tolerance_) return void((result_.chained = near, result_.chained_to = first));
-        result_.moved = std::max(result_.moved, moved);
-        first_[near] = first;
-        reached.push_back(near);
-        // No search finds it again: a cluster of k places takes k searches with k places found, not k squared.
-        tree_.remove(PlacedPoint(tree_point(places_[near]), near));
-      }
+  bool merge(Index place, Index first) {
+    const double moved = distance(places_[place], places_[first]);
+    if (moved > tolerance_) {
+      result_.chained = place, result_.chained_to = first;
+      return false;
+    }
+    result_.moved = std::max(result_.moved, moved);
+    first_[place] = first;
+    return true;
   }
 
   void number() {

@@ -26,17 +26,41 @@ inline PointTree tree_of(std::span<const Vec3> points) {
   return PointTree(entries);
 }
 
+/// The box around two points, wider by `margin` on all sides.
+inline boost::geometry::model::box<TreePoint> box_around(const Vec3& a, const Vec3& b, double margin = 0) {
+  return {{std::min(a.x, b.x) - margin, std::min(a.y, b.y) - margin, std::min(a.z, b.z) - margin},
+          {std::max(a.x, b.x) + margin, std::max(a.y, b.y) + margin, std::max(a.z, b.z) + margin}};
+}
+
 /// The places of the points that are no farther than `radius` from `centre`, in ascending order.
 inline std::vector<Index> places_near(const PointTree& tree, const Vec3& centre, double radius) {
-  const Vec3 reach{radius, radius, radius};
-  const boost::geometry::model::box<TreePoint> box(tree_point(centre - reach), tree_point(centre + reach));
   std::vector<Index> found;
-  for (auto at = tree.qbegin(boost::geometry::index::intersects(box)); at != tree.qend(); ++at) {
+  for (auto at = tree.qbegin(boost::geometry::index::intersects(box_around(centre, centre, radius))); at != tree.qend();
+       ++at) {
     const TreePoint& p = at->first;
     if (distance({p.get<0>(), p.get<1>(), p.get<2>()}, centre) <= radius) found.push_back(at->second);
   }
   std::ranges::sort(found);
   return found;
+}
+
+/// Takes the places that steps lead to from `first` out of a tree, each once, and calls `visit(place)` for them until
+/// it returns false. A step leads from a place to those within `radius(place)` that `joined(place, near)` allows; where
+/// that is symmetric, all that is joined is found. Of k places near each other it makes k searches that find k places
+/// in all, not k squared. `taken`: the places that are not in question any more; kept up to date.
+template <class Radius, class Joined, class Visit>
+void take_joined(PointTree& tree, std::span<const Vec3> places, Index first, std::vector<bool>& taken, Radius&& radius,
+                 Joined&& joined, Visit&& visit) {
+  taken[first] = true;
+  std::vector<Index> reached{first};
+  for (std::size_t i = 0; i < reached.size(); ++i)
+    for (const Index near : places_near(tree, places[reached[i]], radius(reached[i]))) {
+      if (taken[near] || !joined(reached[i], near)) continue;
+      if (!visit(near)) return;
+      taken[near] = true;
+      reached.push_back(near);
+      tree.remove(PlacedPoint(tree_point(places[near]), near));
+    }
 }
 
 }  // namespace geodrome::input

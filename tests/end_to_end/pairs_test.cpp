@@ -124,7 +124,7 @@ TEST_F(Queries, SayWhichSolversCan) {
 }
 
 TEST_F(Queries, NameTheLineOfABadPairsFile) {
-  write_bytes(folder_ / "p.txt", "0, 1\n0 1\n");
+  write_bytes(folder_ / "p.txt", "0, 1\n0 1 2\n");
   expect(queries({"-o", file("q.npy")}), 3, "p.txt: line 2");
   write_bytes(folder_ / "p.txt", "0, 99999\n");
   expect(queries({"-o", file("q.npy")}), 3, "row 99999 does not exist");

@@ -156,11 +156,38 @@ TEST(OpenEdges, AtExactlyTheSamePlaceAreToldIfComponentsWouldBeJoined) {
   EXPECT_TRUE(finding(ring.input(), "duplicate_positions"));
 }
 
+TEST(OpenEdges, OfManyTrianglesAroundAPointAreNotSquared) {
+  Grid fan;  // every triangle has corners of its own, all with the apex but for rounding
+  for (Index k = 0; k < 40000; ++k) {
+    const auto rim = [](double t) { return Vec3{std::cos(t), std::sin(t), 0}; };
+    const double step = 2 * std::numbers::pi / 40000;
+    fan.positions.insert(fan.positions.end(), {{0, 0, 1e-13 * k}, rim(k * step), rim((k + 1) * step)});
+    fan.faces.push_back({3 * k, 3 * k + 1, 3 * k + 2});
+  }
+  const Input input = fan.input();
+  ASSERT_TRUE(finding(input, "coincident_edges"));
+  EXPECT_EQ(finding(input, "coincident_edges")->count, 80000u);
+}
+
+TEST(OpenEdges, AlongALongerOneAreToldThoughNoWeldingJoinsThem) {
+  Grid sheets;  // the second has two edges for each of the first
+  sheets.add(4, 4, [](Index i, Index j) { return Vec3{0.3 * i, 0.3 * j, 0.1 * i}; });
+  sheets.add(4, 8, [](Index i, Index j) { return Vec3{1.2 + 0.3 * i, 0.15 * j, 0.4 - 0.1 * i}; });
+  const Input input = sheets.input();
+  EXPECT_FALSE(finding(input, "coincident_edges"));
+  const Finding* told = finding(input, "edges_along_edges");
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->count, 8u);
+  EXPECT_NE(told->message.find("2 components stay apart that would be 1"), std::string::npos) << told->message;
+  EXPECT_EQ(told->remedy.code, "") << "no welding";
+}
+
 TEST(OpenEdges, ApartAreNotTold) {
   for (const double gap : {1e-3, 0.1, 1.0}) EXPECT_FALSE(finding(two_sheets(gap).input(), "coincident_edges")) << gap;
   Grid corner_to_corner = two_sheets(0);
   for (std::size_t v = 25; v < 50; ++v) corner_to_corner.positions[v].y += 4 + 1e-9;
   EXPECT_FALSE(finding(corner_to_corner.input(), "coincident_edges")) << "they meet at a corner, along no edge";
+  EXPECT_FALSE(finding(corner_to_corner.input(), "edges_along_edges"));
 }
 
 TEST(OpenEdges, AreFoundInSixPrintedDigitsAndInFloats) {
