@@ -132,13 +132,16 @@ class Matcher {
 
   /// Finds edges that lie along a longer one, as where one side of a seam has more vertices than the other.
   void find_along() {
+    using boost::geometry::index::intersects;
     using Box = boost::geometry::model::box<TreePoint>;
     std::vector<std::pair<Box, Index>> boxes;
     for (Index e = 0; e < edges_.size(); ++e)
       if (!settled_[e]) boxes.emplace_back(box_around(end(e, 0), end(e, 1)), e);
     const boost::geometry::index::rtree<std::pair<Box, Index>, boost::geometry::index::linear<16>> tree(boxes);
     for (const auto& [own, edge] : boxes) {
-      const auto near = boost::geometry::index::intersects(box_around(end(edge, 0), end(edge, 0), reach(edge, 0)));
+      // Both ends are asked for: edges that meet at a point all have it in their boxes.
+      const auto near = intersects(box_around(end(edge, 0), end(edge, 0), reach(edge, 0))) &&
+                        intersects(box_around(end(edge, 1), end(edge, 1), reach(edge, 1)));
       for (auto at = tree.qbegin(near); at != tree.qend(); ++at) {
         const double first = distance_from_segment(end(edge, 0), end(at->second, 0), end(at->second, 1)),
                      second = distance_from_segment(end(edge, 1), end(at->second, 0), end(at->second, 1));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/named_points.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <unordered_map>
 
 #include "engine/surface/off_surface.hpp"
@@ -10,6 +12,9 @@
 namespace geodrome {
 
 namespace {
+
+/// Coordinates are off by so much of their size after a few operations, which shows on small surfaces far from 0.
+constexpr double rounding_of_numbers = 8 * std::numeric_limits<double>::epsilon();
 
 void demand_index(std::size_t index, std::size_t count, const char* what) {
   if (index >= count)
@@ -44,7 +49,7 @@ class Resolver {
     // On a mesh the surface itself was given, so the point meant is the one on it; a cloud's surface is an estimate.
     const bool estimated = surface_.made_from == InputKind::points;
     return {place_on(*surface_.mesh, at, estimated ? position : surface_.mesh->position(at)), entry.start, no_index,
-            entry.label, off > rounding_ ? off : 0};
+            entry.label, off > std::max(rounding_, rounding_of_numbers * norm(position)) ? off : 0};
   }
 
  private:

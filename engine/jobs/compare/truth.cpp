@@ -19,20 +19,20 @@ std::string shape(std::size_t rows, std::size_t columns) {
 
 void check_entries(const std::vector<double>& row, const std::string& file, std::uint64_t number, double farthest) {
   for (std::size_t j = 0; j < row.size(); ++j) {
-    const std::string entry = file + ": row " + std::to_string(number) + ", column " + std::to_string(j) + " is ";
+    const auto entry = [&] { return file + ": row " + std::to_string(number) + ", column " + std::to_string(j); };
     if (row[j] < 0)
-      throw InputError(InputFault::range, entry + std::to_string(row[j]) + ", which is no distance",
+      throw InputError(InputFault::range, entry() + " is " + std::to_string(row[j]) + ", which is no distance",
                        "distances are >= 0, inf for unreachable, nan for not computed");
     if (std::isfinite(row[j]) && row[j] > farthest)
-      throw InputError(
-          InputFault::range,
-          entry + number_text(row[j]) + ", longer than any path on the input can be (" + number_text(farthest) + ")",
-          "write inf for unreachable, where other programs write a very large number");
+      throw InputError(InputFault::range,
+                       entry() + " is " + number_text(row[j]) + ", longer than any path on the input can be (" +
+                           number_text(farthest) + ")",
+                       "write inf for unreachable, where other programs write a very large number");
   }
 }
 
-/// A distance above which there is none: a path visits each vertex once, and no edge is longer than the diagonal. The
-/// surface that a cloud is a sample of may be longer than its points tell.
+/// A distance above which there is none: a shortest path is no longer than one along edges, which visits each vertex
+/// once, and no edge is longer than the diagonal. The surface that a cloud is a sample of may have longer ones.
 double farthest_on(const Input& input, std::span<const NamedPoint> sources) {
   constexpr double unknown_surface = 1e3;
   double weight = 1, start = 0;

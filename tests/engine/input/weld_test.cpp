@@ -182,6 +182,20 @@ TEST(OpenEdges, AlongALongerOneAreToldThoughNoWeldingJoinsThem) {
   EXPECT_EQ(told->remedy.code, "") << "no welding";
 }
 
+TEST(OpenEdges, OfManySpikesAroundAPointAreNotSquared) {
+  Grid star;  // all with one apex, each with sides of its own
+  star.positions.push_back({0, 0, 0});
+  for (Index k = 0; k < 60000; ++k) {
+    const auto rim = [](double t) { return Vec3{std::cos(t), std::sin(t), 0.1}; };
+    const double step = 2 * std::numbers::pi / 60000;
+    star.positions.insert(star.positions.end(), {rim(k * step), rim((k + 0.5) * step)});
+    star.faces.push_back({0, 2 * k + 1, 2 * k + 2});
+  }
+  const Input input = star.input();
+  EXPECT_FALSE(finding(input, "coincident_edges"));
+  EXPECT_FALSE(finding(input, "edges_along_edges"));
+}
+
 TEST(OpenEdges, ApartAreNotTold) {
   for (const double gap : {1e-3, 0.1, 1.0}) EXPECT_FALSE(finding(two_sheets(gap).input(), "coincident_edges")) << gap;
   Grid corner_to_corner = two_sheets(0);

@@ -144,6 +144,14 @@ TEST_F(Lists, MeasureHowFarAPointIsOffTheSurface) {
   EXPECT_EQ(points("4")[0].off_surface, 0) << "a row is where it is";
 }
 
+TEST_F(Lists, TakeRoundingFarFromTheOriginForNone) {
+  const Input input =
+      testing::read_bytes("far.off", "OFF\n3 1 0\n5405590 0 0\n5405590.0001 0 0\n5405590 0.0001 0\n3 0 1 2\n");
+  const PlacedSurface surface = surface_of(input);
+  EXPECT_EQ(select("5405590.00002 0.00002 1e-9", input, surface)[0].off_surface, 0);
+  EXPECT_EQ(select("5405590.00002 0.00002 1e-7", input, surface)[0].off_surface, 1e-7);
+}
+
 TEST_F(Lists, WarnOfPointsOffTheSurfaceByMoreThanAHundredthOfItsDiagonal) {
   const OffSurface found = off("0\n0.5 0.5 0\n0.5 0.5 0.0142\n0.5 0.5 0.0141\n0.5 0.5 4\n");
   EXPECT_DOUBLE_EQ(found.diagonal, std::sqrt(2)) << "without the vertex on no face";
