@@ -18,6 +18,7 @@ constexpr RemedySentence sentences[] = {
     {"read.weld", "set `read.weld` to merge them"},
     {"read.weld_within", "set `read.weld`, and `read.weld_tolerance` to {0}, to join them"},
     {"read.drop_nonfinite", "set `read.drop_nonfinite` to leave such points out"},
+    {"read.columns", "choose the columns of x, y and z in `read.columns`, as {0}"},
     {"read.points", "set `read.as` to points"},
     {"read.vertices", "set `read.as` to points to take its vertices"},
     {"read.finite_points", "repair the mesh, or set `read.as` to points and `read.drop_nonfinite`"},
@@ -80,6 +81,7 @@ Remedy other_index() { return made(row("index")); }
 Remedy weld() { return made(row("read.weld")); }
 Remedy weld_within(std::string tolerance) { return made(row("read.weld_within"), {std::move(tolerance)}); }
 Remedy drop_nonfinite() { return made(row("read.drop_nonfinite")); }
+Remedy choose_columns(std::string columns) { return made(row("read.columns"), {std::move(columns)}); }
 Remedy take_points() { return made(row("read.points")); }
 Remedy take_vertices() { return made(row("read.vertices")); }
 Remedy finite_points() { return made(row("read.finite_points")); }

@@ -184,7 +184,7 @@ void make_mesh(const Origin& origin, const ReadOptions& options, Soup& soup, Inp
       origin.reject(InputFault::nonfinite, origin.vertex(v) + " is not finite", remedies::finite_points());
   input.facts.bounding_box_diagonal = checked_diagonal(origin, input);
   if (options.weld) weld(origin, options.weld_tolerance, input);
-  Polygons polygons = clean_faces(origin, soup, input.element_of_row);
+  Polygons polygons = clean_faces(soup, input.element_of_row);
   if (polygons.size() == 0)
     origin.reject(InputFault::degenerate, "no face has three different corners", remedies::take_vertices());
   Triangulated faces = triangulate(origin, polygons, input.positions);

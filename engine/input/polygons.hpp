@@ -25,8 +25,8 @@ struct Polygons {
 };
 
 /// Drops faces without area for want of three different corners, and joins corners of a polygon that follow each other
-/// and are the same vertex. Rejects (unsupported) a polygon that comes back to a vertex. `element_of_row` as in Input.
-Polygons clean_faces(const Origin& origin, const Soup& soup, std::span<const Index> element_of_row);
+/// and are the same vertex. `element_of_row` as in Input.
+Polygons clean_faces(const Soup& soup, std::span<const Index> element_of_row);
 
 struct Triangulated {
   std::vector<Triangle> triangles;
@@ -35,8 +35,11 @@ struct Triangulated {
   Finding nonplanar;
 };
 
-/// Splits polygons into triangles: a fan from the first corner that sees the whole polygon. Rejects (unsupported) a
-/// polygon that no corner sees. O(sum of squared corners) at worst.
+/// Splits polygons into triangles: a fan from the first corner that sees the whole polygon; where none does, and where
+/// the polygon has holes with bridges to them (edges passed twice, in opposite directions), ears are clipped in its
+/// mean plane, whatever corner it begins with. Corners never move. Rejects (unsupported), naming the face, a polygon
+/// that crosses or touches itself, and one that no corner sees and that leaves its mean plane by more than a hundredth
+/// of its extent. Polygons that leave it by more than 1e-5 are told. O(sum of squared corners) for usual polygons.
 Triangulated triangulate(const Origin& origin, const Polygons& polygons, std::span<const Vec3> positions);
 
 }  // namespace geodrome::input

@@ -20,6 +20,7 @@ constexpr RemedySentence sentences[] = {
     {"read.weld", "use --weld to merge them"},
     {"read.weld_within", "--weld {0} joins them"},
     {"read.drop_nonfinite", "use --drop-nonfinite to leave such points out"},
+    {"read.columns", "choose the columns of x, y and z, as --columns {0}"},
     {"read.points", "use --as points"},
     {"read.vertices", "use --as points to take its vertices"},
     {"read.finite_points", "repair the mesh, or use --as points --drop-nonfinite"},

@@ -18,10 +18,6 @@ TEST(InputCloud, TwoColumnsAreRefused) {
   expect_refused([] { read_bytes("p.xyz", "1 2\n3 4\n"); }, InputFault::syntax, "line 1");
 }
 
-TEST(InputCloud, CommasAreRefused) {
-  expect_refused([] { read_bytes("p.xyz", "1, 2, 3\n"); }, InputFault::syntax, "'1,'");
-}
-
 TEST(InputCloud, OnlyCommentsAreEmpty) {
   expect_refused([] { read_bytes("p.xyz", "# nothing\n\n"); }, InputFault::empty, "no points");
 }

@@ -66,10 +66,11 @@ TEST(InputPolygons, CollinearCornersGiveNoFlatTriangleWhereThatCanBe) {
   EXPECT_NEAR(area(input), 2, 1e-12);
 }
 
-TEST(InputPolygons, APolygonThatNoCornerSeesIsUnsupported) {
-  // A comb with two teeth.
-  expect_refused([] { read_polygon("0 0 0\n9 0 0\n9 5 0\n8 1 0\n5 1 0\n4.5 5 0\n4 1 0\n1 1 0\n0 5 0\n", 9); },
-                 InputFault::unsupported, "face 0");
+TEST(InputPolygons, APolygonThatNoCornerSeesIsSplitInside) {
+  // A comb with three teeth.
+  const Input input = read_polygon("0 0 0\n9 0 0\n9 5 0\n8 1 0\n5 1 0\n4.5 5 0\n4 1 0\n1 1 0\n0 5 0\n", 9);
+  EXPECT_EQ(input.triangles.size(), 7u);
+  EXPECT_NEAR(area(input), 9 + 2 * 2 + 2, 1e-12);
 }
 
 TEST(InputPolygons, APolygonThatCrossesItselfIsUnsupported) {
