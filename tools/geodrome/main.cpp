@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -32,6 +33,13 @@ void occupy_standard_streams() {
     if (descriptor > 2) close(descriptor);
     if (descriptor < 0) return;
   }
+}
+
+/// A limit of file sizes and a reader that went away then show as errors of writing, which are told, and do not end a
+/// job of hours.
+void take_signals_of_writing_as_errors() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 /// CLI11 takes a word that is no command for a missing one.
@@ -81,12 +89,13 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
+  take_signals_of_writing_as_errors();
   geodrome::install_crash_handlers();
   try {
     return run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "geodrome: out of memory; ask for less, or use a machine with more\n");
-    return 1;
+  } catch (const std::bad_alloc& error) {
+    std::fprintf(stderr, "geodrome: out of memory; %s\n", geodrome::out_of_memory_remedy);
+    return geodrome::exit_status(error);
   } catch (const geodrome::Error& error) {
     std::fprintf(stderr, "geodrome: %s\n", geodrome::cli::text_of(error).c_str());
     return geodrome::exit_status(error);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/pairs/report.hpp"
 
-#include <sstream>
 
+#include "engine/formats/text_stream.hpp"
 #include "engine/report/memory.hpp"
 #include "engine/report/provenance.hpp"
 
@@ -82,7 +82,7 @@ void summarize_pairs(const PairJob& job, const PairDistances& d, std::ostream& o
 }
 
 std::string summary_of(const PairRecord& record, const SurfaceFacts& surface, const SampleReport* sample) {
-  std::ostringstream out;
+  TextOutput out;
   out.precision(4);
   summarize_provenance(record.start.input(), surface, record.solver, out);
   summarize_oracle(record.job, record.oracle, out);
