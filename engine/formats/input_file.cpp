@@ -88,7 +88,8 @@ void InputFile::demand_unchanged() const {
   struct stat now {};
   if (::fstat(descriptor_, &now) != 0) reject("cannot be examined: " + last_reason(), "check the disk");
   if (!same_content(opened_, now))
-    reject("was changed while it was read", "run again once nobody writes it; to replace it, rename a whole file to it");
+    reject("was changed while it was read",
+           "run again once nobody writes it; to replace it, rename a whole file to it");
 }
 
 }  // namespace geodrome::input

@@ -60,8 +60,8 @@ NpyMatrix::NpyMatrix(const std::filesystem::path& file) : file_(file), source_(f
            remedy);
   const unsigned length_bytes = major == 1 ? 2 : 4;
   const std::size_t header = magic.size() + 2 + length_bytes;
-  const std::uint32_t length = start.size() < header ? longest_header + 1
-                                                     : number_at(start, magic.size() + 2, length_bytes);
+  const std::uint32_t length =
+      start.size() < header ? longest_header + 1 : number_at(start, magic.size() + 2, length_bytes);
   if (length > longest_header) reject(InputFault::syntax, "its .npy header is damaged", remedy);
   if (start.size() < header + length) reject(InputFault::truncated, "ends within its .npy header", "write it again");
   parse(start.substr(header, length));

@@ -15,8 +15,8 @@ struct SourceFile {
   std::string bytes;
 };
 
-/// Reads a whole file. Throws InputError (io) for what is missing, no file, unreadable or changed meanwhile, (empty) for
-/// 0 bytes.
+/// Reads a whole file. Throws InputError (io) for what is missing, no file, unreadable or changed meanwhile, (empty)
+/// for 0 bytes.
 SourceFile read_source(const std::filesystem::path& path);
 
 /// XXH3, 128 bits, as 32 hexadecimal digits.

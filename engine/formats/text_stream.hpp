@@ -7,8 +7,8 @@
 
 namespace geodrome {
 
-/// Streams in memory that throw std::bad_alloc. Those of the standard library swallow it and are at their end then: text
-/// would be cut off unnoticed where memory runs out.
+/// Streams in memory that throw std::bad_alloc. Those of the standard library swallow it and are at their end then:
+/// text would be cut off unnoticed where memory runs out.
 class TextInput : public std::istringstream {
  public:
   /// Precondition: begin <= text.size().

@@ -57,8 +57,8 @@ void try_once(Campaign& campaign, Judge& judge, const Fault& fault) {
   const bool may_be_old = judge.job().name != "queries" && fault.call != "stat";
   const std::string old = may_be_old && campaign.any(2) == 0 ? "what was here\n" : "";
   const std::string complaint = judge.trial({.fault = fault}, expected_of(fault), ended, old);
-  campaign.note(fault.call, judge.job().name, fault.text() + (old.empty() ? "" : ", old outputs there"), ended,
-                ended.struck ? complaint : "the fault did not come");
+  campaign.note("calls." + fault.call, judge.job().name, fault.text() + (old.empty() ? "" : ", old outputs there"),
+                ended, ended.struck ? complaint : "the fault did not come");
 }
 
 /// Every way of one call, at one place.
@@ -81,7 +81,7 @@ void try_calls(Campaign& campaign) {
   for (const Job& job : campaign.jobs) {
     std::optional<Judge> judge;
     for (const Failing& way : failing) {
-      if (!campaign.wants(way.call, job.name)) continue;
+      if (!campaign.wants("calls." + std::string(way.call), job.name)) continue;
       if (!judge) judge.emplace(campaign.lab, job);
       campaign.lab.prepare(job);
       const unsigned long calls = campaign.lab.run(job.arguments, {.fault = Fault{.call = way.call}}).calls;

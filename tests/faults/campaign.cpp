@@ -18,10 +18,10 @@ void Campaign::note(const std::string& kind, const std::string& job, const std::
 
 int Campaign::report() const {
   int tried = 0, wrong = 0;
-  std::printf("%-12s %-10s %7s %7s  ends by status\n", "fault", "job", "tried", "wrong");
+  std::printf("%-16s %-10s %7s %7s  ends by status\n", "fault", "job", "tried", "wrong");
   for (const auto& [kind, jobs] : rows_)
     for (const auto& [job, row] : jobs) {
-      std::printf("%-12s %-10s %7d %7d ", kind.c_str(), job.c_str(), row.tried, row.wrong);
+      std::printf("%-16s %-10s %7d %7d ", kind.c_str(), job.c_str(), row.tried, row.wrong);
       for (const auto& [status, count] : row.by_status) std::printf(" %d: %d", status, count);
       std::printf("\n");
       tried += row.tried, wrong += row.wrong;

@@ -19,7 +19,7 @@ class Campaign {
   const bool all;  ///< everything, not only what the suite tries
   std::mt19937_64 random;
 
-  /// True if faults of this kind are to be tried on this job.
+  /// True if faults of this kind are to be tried on this job: if "KIND.JOB" contains what is asked for.
   bool wants(const std::string& kind, const std::string& job) const {
     return only_.empty() || (kind + "." + job).find(only_) != std::string::npos;
   }

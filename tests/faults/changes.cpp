@@ -24,7 +24,8 @@ void try_change(Campaign& campaign, const Judge& judge, const Fault& fault) {
   testing::write_bytes(campaign.lab.path(fault.path + ".new"), other_content(campaign, fault.path));
   const Ended ended = campaign.lab.run(job.arguments, {.fault = fault});
   std::filesystem::remove(campaign.lab.path(fault.path + ".new"));
-  Expected expected{.statuses = {fault.act == "replace" ? 0 : 3}, .words = {fault.path, "was changed while it was read"}};
+  Expected expected{.statuses = {fault.act == "replace" ? 0 : 3},
+                    .words = {fault.path, "was changed while it was read"}};
   campaign.note("changes", job.name, fault.text(), ended,
                 ended.struck ? judge.complaint(ended, expected) : "the fault did not come");
 }

@@ -54,8 +54,11 @@ Files left_by(Lab& lab, const Job& job, const Fault& fault) {
 void add_matrices(std::vector<Job>& jobs, Lab& lab) {
   const Words start{"distances", "%m.ply"};
   const Words npy = plus(plus(start, {"-o", "%d.npy"}), few_sources());
-  jobs.push_back({"matrix", plus(npy, {"--report", "%r.json", "--surface", "%s.ply"}), {"m.ply"},
-                  {"d.npy", "r.json", "s.ply"}, few_rows});
+  jobs.push_back({"matrix",
+                  plus(npy, {"--report", "%r.json", "--surface", "%s.ply"}),
+                  {"m.ply"},
+                  {"d.npy", "r.json", "s.ply"},
+                  few_rows});
   jobs.push_back({"threads", plus(start, {"-o", "%d.npy", "--threads", "3"}), {"m.ply"}, {"d.npy"}, 162});
   jobs.push_back({"csv", plus(plus(start, {"-o", "%d.csv"}), few_sources()), {"m.ply"}, {"d.csv"}, few_rows});
   Job half{"resume", plus(npy, {"--resume"}), {"m.ply"}, {"d.npy"}, few_rows}, whole = half;
@@ -78,15 +81,16 @@ std::vector<Job> make_jobs(Lab& lab) {
                    "--solver", oracle, "--report", "%r.json"},
                   {"m.ply", "list.txt", "w.txt"},
                   {"n.csv", "r.json"}});
-  const Words queries{"queries", "%m.ply",          "--pairs", "%pairs.txt", "--solver", oracle,
+  const Words queries{"queries", "%m.ply",   "--pairs", "%pairs.txt", "--solver", oracle,
                       "--index", "%i.index", "-o",      "%q.csv",     "--report", "%r.json"};
   jobs.push_back({"queries", queries, {"m.ply", "pairs.txt"}, {"q.csv", "i.index", "r.json"}});
   lab.prepare(jobs.back());
   lab.make("i.index", queries);
-  jobs.push_back({"index", {"queries", "%m.ply", "--pairs", "%pairs.txt", "--solver", oracle, "--index", "%i.index",
-                            "-o", "%q.npy"},
-                  {"m.ply", "pairs.txt", "i.index"},
-                  {"q.npy"}});
+  jobs.push_back(
+      {"index",
+       {"queries", "%m.ply", "--pairs", "%pairs.txt", "--solver", oracle, "--index", "%i.index", "-o", "%q.npy"},
+       {"m.ply", "pairs.txt", "i.index"},
+       {"q.npy"}});
   jobs.push_back({"surface", {"surface", "%t.xyz", "-o", "%s.off"}, {"t.xyz"}, {"s.off"}});
   jobs.push_back({"path", {"path", "%m.ply", "--from", "0", "--to", "5", "-o", "%p.obj"}, {"m.ply"}, {"p.obj"}});
   jobs.push_back({"compare",

@@ -97,8 +97,7 @@ std::string Judge::complaint_of_second_run() const {
   if (job_.rows > 0 && !contains(arguments, "--resume")) arguments.push_back("--resume");
   const Ended ended = lab_.run(arguments);
   if (ended.status != 0) return "run again, it ends with " + std::to_string(ended.status) + ": " + ended.err;
-  if (const std::string text = complaint_of_outputs(lab_.files(), {}, true); !text.empty())
-    return "run again: " + text;
+  if (const std::string text = complaint_of_outputs(lab_.files(), {}, true); !text.empty()) return "run again: " + text;
   const auto partial = left.find(job_.outputs[0] + ".partial");
   if (job_.rows == 0 || partial == left.end()) return {};
   const std::uint64_t there = rows_on_record(partial->second).value_or(0), computed = rows_to_compute(ended.err);

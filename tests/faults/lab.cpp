@@ -97,8 +97,8 @@ Ended Lab::run(const std::vector<std::string>& arguments, const Conditions& cond
   fs::remove(log), fs::remove(out);
   std::string plan;
   if (const auto& fault = conditions.fault)
-    plan = "call=" + fault->call + ";path=" +
-           (fault->call == "malloc" || fault->call == "thread" ? "" : path(fault->path).string()) +
+    plan = "call=" + fault->call +
+           ";path=" + (fault->call == "malloc" || fault->call == "thread" ? "" : path(fault->path).string()) +
            ";at=" + std::to_string(fault->at) + ";times=" + std::to_string(fault->times) +
            ";errno=" + std::to_string(fault->error) + ";short=" + std::to_string(fault->shortened) +
            ";act=" + fault->act + ";log=" + log;
@@ -114,6 +114,7 @@ Ended Lab::run(const std::vector<std::string>& arguments, const Conditions& cond
     conditions.out == "closed" ? redirect_to_nobody(STDOUT_FILENO)
                                : redirect(STDOUT_FILENO, conditions.out.empty() ? out : conditions.out);
     if (!plan.empty()) setenv("GEODROME_FAULT", plan.c_str(), 1), setenv("LD_PRELOAD", GEODROME_FAULT_SHIM, 1);
+    if (conditions.ignored != 0) std::signal(conditions.ignored, SIG_IGN);
     limit(RLIMIT_AS, conditions.address_space);
     limit(RLIMIT_FSIZE, conditions.file_size);
     execv(program_.c_str(), argv.data());

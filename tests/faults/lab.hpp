@@ -29,9 +29,10 @@ struct Fault {
 struct Conditions {
   std::optional<Fault> fault;
   rlim_t address_space = RLIM_INFINITY, file_size = RLIM_INFINITY;
-  int signal = 0;           ///< sent after `after` seconds
+  int signal = 0;  ///< sent after `after` seconds
   double after = 0;
-  std::string out;          ///< in place of standard output: /dev/full; "closed" is a pipe that nobody reads
+  int ignored = 0;  ///< a signal that the program is started to ignore, as nohup does
+  std::string out;  ///< in place of standard output: /dev/full; "closed" is a pipe that nobody reads
 };
 
 struct Ended {
@@ -52,7 +53,8 @@ class Lab {
 
   const std::string& program() const { return program_; }
 
-  /// The folder as it is before the job: with its inputs and nothing else, the outputs holding `old` unless it is empty.
+  /// The folder as it is before the job: with its inputs and nothing else, the outputs holding `old` unless it is
+  /// empty.
   void prepare(const Job& job, const std::string& old = {});
   /// A "%" in an argument stands for the folder with its slash.
   Ended run(const std::vector<std::string>& arguments, const Conditions& conditions = {}) const;

@@ -108,7 +108,7 @@ void try_places(Campaign& campaign) {
   }
   Lab lab(campaign.lab.program(), disk.path());
   for (const Job& job : make_jobs(lab)) {
-    if (!campaign.wants("disks", job.name)) continue;
+    if (!campaign.wants("places.disks", job.name)) continue;
     Judge judge(lab, job);
     fill_disk(campaign, disk, lab, judge);
     forbid_writing(campaign, disk, lab, judge);

@@ -18,7 +18,8 @@ Expected expected_of(int signal) {
 
 /// At the calls that make or change files, where a moment matters most.
 void signal_at_calls(Campaign& campaign, Judge& judge) {
-  for (const char* call : {"create", "write", "pwrite", "fsync", "ftruncate", "fallocate", "close", "rename", "unlink"}) {
+  for (const char* call :
+       {"create", "write", "pwrite", "fsync", "ftruncate", "fallocate", "close", "rename", "unlink"}) {
     campaign.lab.prepare(judge.job());
     const unsigned long calls = campaign.lab.run(judge.job().arguments, {.fault = Fault{.call = call}}).calls;
     for (unsigned long at = 1; at <= calls; ++at)
@@ -70,6 +71,16 @@ void kill_and_resume(Campaign& campaign, const Judge& judge, int times) {
   }
 }
 
+void ignore_what_the_caller_ignores(Campaign& campaign, Judge& judge) {
+  for (const int signal : {SIGHUP, SIGINT}) {
+    const Fault fault{.call = "pwrite", .at = 20, .times = 2, .act = "signal:" + std::to_string(signal)};
+    Ended ended;
+    const std::string complaint = judge.trial({.fault = fault, .ignored = signal}, {.statuses = {0}}, ended);
+    campaign.note("signal ignored", judge.job().name, fault.text(), ended,
+                  ended.struck ? complaint : "the fault did not come");
+  }
+}
+
 }  // namespace
 
 void try_signals(Campaign& campaign) {
@@ -79,6 +90,7 @@ void try_signals(Campaign& campaign) {
     signal_at_calls(campaign, judge);
     const bool is_long = job.name == "threads" || job.name == "queries" || job.name == "nearest";
     if (!campaign.all && !is_long) continue;
+    if (job.name == "threads") ignore_what_the_caller_ignores(campaign, judge);
     if (job.name == "threads") kill_and_resume(campaign, judge, campaign.all ? 200 : 10);
     const int times = campaign.all && is_long ? 200 : 5;
     signal_at_random(campaign, judge, SIGKILL, times);

@@ -31,7 +31,7 @@ void stop_on(int signal) {
 }  // namespace
 
 Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) stop_on(signal);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) stop_on(signal);
 }
 
 Console::~Console() { clear_line(); }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/pairs/report.hpp"
 
-
 #include "engine/formats/text_stream.hpp"
 #include "engine/report/memory.hpp"
 #include "engine/report/provenance.hpp"

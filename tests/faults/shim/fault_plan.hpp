@@ -25,8 +25,8 @@ namespace geodrome::faults {
 ///     replace                   renames `path` + ".new" to `path`
 ///     signal:N                  sends itself the signal N
 ///
-/// To `log` goes a byte for each call that counts, 'F' where the plan struck, else 'c' (of "malloc" only if `at` is 0: they are
-/// many).
+/// To `log` goes a byte for each call that counts, 'F' where the plan struck, else 'c' (of "malloc" only if `at` is 0:
+/// they are many).
 class FaultPlan {
  public:
   FaultPlan() {

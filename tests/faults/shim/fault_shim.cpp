@@ -59,23 +59,23 @@ mode_t mode_of(int flags, va_list list) { return (flags & (O_CREAT | O_TMPFILE))
 
 extern "C" {
 
-#define GEODROME_OPEN(name)                                                   \
-  int name(const char* path, int flags, ...) {                                \
-    va_list list;                                                             \
-    va_start(list, flags);                                                    \
-    const mode_t mode = mode_of(flags, list);                                 \
-    va_end(list);                                                             \
+#define GEODROME_OPEN(name)                                                                           \
+  int name(const char* path, int flags, ...) {                                                        \
+    va_list list;                                                                                     \
+    va_start(list, flags);                                                                            \
+    const mode_t mode = mode_of(flags, list);                                                         \
+    va_end(list);                                                                                     \
     static auto* next = reinterpret_cast<int (*)(const char*, int, mode_t)>(dlsym(RTLD_NEXT, #name)); \
-    const char* call = (flags & O_ACCMODE) == O_RDONLY ? "open" : "create";   \
-    return unless_struck(call, path, [&] { return next(path, flags, mode); }); \
+    const char* call = (flags & O_ACCMODE) == O_RDONLY ? "open" : "create";                           \
+    return unless_struck(call, path, [&] { return next(path, flags, mode); });                        \
   }
 GEODROME_OPEN(open)
 GEODROME_OPEN(open64)
 #undef GEODROME_OPEN
 
-#define GEODROME_FOPEN(name)                                                  \
-  FILE* name(const char* path, const char* mode) {                            \
-    static auto* next = real(&name, #name);                                   \
+#define GEODROME_FOPEN(name)                                                                          \
+  FILE* name(const char* path, const char* mode) {                                                    \
+    static auto* next = real(&name, #name);                                                           \
     return unless_struck(mode[0] == 'r' ? "open" : "create", path, [&] { return next(path, mode); }); \
   }
 GEODROME_FOPEN(fopen)
@@ -92,9 +92,9 @@ ssize_t write(int descriptor, const void* data, size_t size) {
   return transfer("write", descriptor, size, [&](size_t part) { return next(descriptor, data, part); });
 }
 
-#define GEODROME_TRANSFER_AT(name, kind, data_type)                                                           \
-  ssize_t name(int descriptor, data_type data, size_t size, off_t offset) {                                   \
-    static auto* next = real(&name, #name);                                                                   \
+#define GEODROME_TRANSFER_AT(name, kind, data_type)                                                             \
+  ssize_t name(int descriptor, data_type data, size_t size, off_t offset) {                                     \
+    static auto* next = real(&name, #name);                                                                     \
     return transfer(kind, descriptor, size, [&](size_t part) { return next(descriptor, data, part, offset); }); \
   }
 GEODROME_TRANSFER_AT(pread, "pread", void*)
@@ -116,19 +116,19 @@ int close(int descriptor) {
   return struck && !plan().goes_on() ? plan().fail<int>() : result;
 }
 
-#define GEODROME_RESIZE(name)                                                                  \
-  int name(int descriptor, off_t size) noexcept {                                              \
-    static auto* next = real(&name, #name);                                                    \
-    return unless_struck("ftruncate", descriptor, [&] { return next(descriptor, size); });     \
+#define GEODROME_RESIZE(name)                                                              \
+  int name(int descriptor, off_t size) noexcept {                                          \
+    static auto* next = real(&name, #name);                                                \
+    return unless_struck("ftruncate", descriptor, [&] { return next(descriptor, size); }); \
   }
 GEODROME_RESIZE(ftruncate)
 GEODROME_RESIZE(ftruncate64)
 #undef GEODROME_RESIZE
 
-#define GEODROME_RESERVE(name)                                                                             \
-  int name(int descriptor, int mode, off_t offset, off_t size) {                                           \
-    static auto* next = real(&name, #name);                                                                \
-    return unless_struck("fallocate", descriptor, [&] { return next(descriptor, mode, offset, size); });   \
+#define GEODROME_RESERVE(name)                                                                           \
+  int name(int descriptor, int mode, off_t offset, off_t size) {                                         \
+    static auto* next = real(&name, #name);                                                              \
+    return unless_struck("fallocate", descriptor, [&] { return next(descriptor, mode, offset, size); }); \
   }
 GEODROME_RESERVE(fallocate)
 GEODROME_RESERVE(fallocate64)
@@ -164,7 +164,8 @@ int fstat(int descriptor, struct stat* status) noexcept {
   return unless_struck("fstat", descriptor, [&] { return next(descriptor, status); });
 }
 
-int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*), void* argument) noexcept {
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
+                   void* argument) noexcept {
   static auto* next = real(&pthread_create, "pthread_create");
   if (plan().strikes("thread", "")) return plan().error;  // a pthread function returns its error
   return next(thread, attributes, start, argument);
