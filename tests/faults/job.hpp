@@ -14,7 +14,8 @@ struct Job {
   std::vector<std::string> arguments;  ///< a "%" stands for the folder
   std::vector<std::string> reads;      ///< the files that it reads
   std::vector<std::string> outputs;    ///< the files that it promises, the matrix first
-  std::uint64_t rows = 0;  ///< of its matrix, which stays unfinished and can be gone on with; 0: it has none
+  std::uint64_t rows = 0;       ///< of its matrix, which stays unfinished and can be gone on with; 0: it has none
+  bool tells_failures = false;  ///< in its output: what did not run is a row with the reason there
   std::map<std::string, std::string> before = {};  ///< the content of files that are there when it starts
 };
 

@@ -98,6 +98,7 @@ std::vector<Job> make_jobs(Lab& lab) {
                    "%truth.npy", "-o", "%c.json"},
                   {"m.ply", "truth.npy"},
                   {"c.json"}});
+  jobs.back().tells_failures = true;
   jobs.push_back({"shape", {"shape", "bumpy", "--mesh", "--faces", "100", "-o", "%x.off"}, {}, {"x.off"}});
   return jobs;
 }

@@ -30,8 +30,8 @@ void fail_allocations(Campaign& campaign, Judge& judge, int times) {
 /// From what the program cannot even be loaded with (status 127, by the loader) to what it needs.
 void limit_memory(Campaign& campaign, Judge& judge) {
   Ended ended;
-  const double step = campaign.all ? 1.02 : 1.3;
-  for (double bytes = 4e6; bytes < 4e9; bytes *= step) {
+  const double step = campaign.all ? 1.01 : 1.05;
+  for (double bytes = 9e6; bytes < 4e9; bytes *= step) {
     const auto limit = static_cast<rlim_t>(bytes);
     std::string complaint = judge.trial({.address_space = limit}, {.statuses = {0, 3, 4, 5, 127}}, ended);
     if (ended.status == 127 && complaint == "it ends without a message") complaint.clear();

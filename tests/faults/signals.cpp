@@ -34,6 +34,19 @@ void signal_at_calls(Campaign& campaign, Judge& judge) {
   }
 }
 
+/// At allocations, which are everywhere: in libraries too.
+void signal_at_allocations(Campaign& campaign, Judge& judge, int times) {
+  campaign.lab.prepare(judge.job());
+  const unsigned long calls = campaign.lab.run(judge.job().arguments, {.fault = Fault{.call = "malloc"}}).calls;
+  for (int i = 0; i < times; ++i) {
+    const int signal = signals[campaign.any(std::size(signals))];
+    const Fault fault{.call = "malloc", .at = campaign.any(calls) + 1, .act = "signal:" + std::to_string(signal)};
+    Ended ended;
+    const std::string complaint = judge.trial({.fault = fault}, expected_of(signal), ended);
+    campaign.note("signal in", judge.job().name, fault.text(), ended, complaint);
+  }
+}
+
 /// A moment of the run, or a little after it.
 double any_moment(Campaign& campaign, const Judge& judge) {
   constexpr std::uint64_t parts = 1'000'000;
@@ -88,6 +101,7 @@ void try_signals(Campaign& campaign) {
     if (!campaign.wants("signals", job.name)) continue;
     Judge judge(campaign.lab, job);
     signal_at_calls(campaign, judge);
+    signal_at_allocations(campaign, judge, campaign.all ? 100 : 3);
     const bool is_long = job.name == "threads" || job.name == "queries" || job.name == "nearest";
     if (!campaign.all && !is_long) continue;
     if (job.name == "threads") ignore_what_the_caller_ignores(campaign, judge);
