@@ -72,7 +72,9 @@ std::string Judge::complaint_of_leftovers(const Files& files, bool done, const E
     const bool goes_on = name.ends_with(".partial") || name.ends_with(".partial-footer");
     if (!done && job_.rows > 0 && goes_on) continue;
     if (expected.may_leave_footer && name.ends_with(".partial-footer")) continue;
-    if (expected.may_be_killed && (name.ends_with(".tmp") || name.ends_with(".partial-text"))) continue;
+    if (expected.may_be_killed &&
+        (name.ends_with(".tmp") || name.ends_with(".partial-text") || name.ends_with("-lock")))
+      continue;
     return name + " is left behind";
   }
   return {};

@@ -26,6 +26,20 @@ void limit_files(Campaign& campaign, Judge& judge) {
   }
 }
 
+/// Where there are no locks, the file that stands for one is respected.
+void find_lock_file(Campaign& campaign, const Job& job) {
+  campaign.lab.prepare(job);
+  const std::string name = job.outputs[0] + ".partial-lock";
+  testing::write_bytes(campaign.lab.path(name), "process 7 on another machine");
+  const Fault fault{.call = "flock", .at = 1, .error = ENOSYS};
+  const Ended ended = campaign.lab.run(job.arguments, {.fault = fault});
+  std::string complaint;
+  if (ended.status != 4 || ended.err.find(name + " is there: process 7 on another machine") == std::string::npos)
+    complaint = "it does not name who writes";
+  if (!campaign.lab.files().contains(name)) complaint = "it removed what is not its own";
+  campaign.note("lock file", job.name, "of another machine", ended, complaint);
+}
+
 /// Where the result cannot be told, the files are whole all the same, as the message says.
 void lose_standard_output(Campaign& campaign, Judge& judge) {
   for (const char* out : {"/dev/full", "closed"}) {
@@ -100,6 +114,7 @@ void try_places(Campaign& campaign) {
     Judge judge(campaign.lab, job);
     limit_files(campaign, judge);
     lose_standard_output(campaign, judge);
+    if (job.rows > 0) find_lock_file(campaign, job);
   }
   const SmallDisk disk;
   if (!disk.is_there()) {

@@ -47,8 +47,9 @@ void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t 
 
 void tell_unlocked(const MatrixFile& file, const MatrixFile::Spec& spec, Observer& observer) {
   if (file.is_locked()) return;
-  observer.log(LogLevel::warning, spec.out.string() + ".partial cannot be locked on this file system; see to it that " +
-                                      "no other run writes it");
+  const std::string partial = spec.out.string() + ".partial";
+  observer.log(LogLevel::warning,
+               partial + " cannot be locked on this file system: meanwhile " + partial + "-lock keeps other runs away");
 }
 
 void tell_unfinished(const MatrixFile& file, const MatrixFile::Spec& spec, Observer& observer) {

@@ -49,8 +49,8 @@ class MatrixFile final : public RowSink {
   /// Thread-safe.
   bool has(std::uint64_t row) const override;
   std::uint64_t rows_done() const;
-  /// False where the file system has no locks: then nothing but `read`, which finds a row that changed, keeps a second
-  /// run from writing the same file.
+  /// False where the file system has no locks: then OUT.partial-lock keeps other processes away, which one that is
+  /// killed leaves.
   bool is_locked() const;
 
   /// Writes one row; safe to call from several threads for different rows. Throws InputError (io), naming the file and
