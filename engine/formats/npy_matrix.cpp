@@ -35,10 +35,10 @@ std::string value_of(const std::string& header, const char* pattern) {
   return std::regex_search(header, match, std::regex(pattern)) ? match[1].str() : "";
 }
 
-/// Reads a little-endian number of `bytes` bytes; a short file leaves the stream failed.
-std::uint32_t read_number(std::istream& stream, int bytes) {
+/// The little-endian number of `bytes` bytes at a place.
+std::uint32_t number_at(std::string_view text, std::size_t place, unsigned bytes) {
   std::uint32_t value = 0;
-  for (int i = 0; i < bytes; ++i) value |= static_cast<std::uint32_t>(stream.get() & 0xff) << (8 * i);
+  for (unsigned i = 0; i < bytes; ++i) value |= static_cast<std::uint32_t>(text[place + i] & 0xff) << (8 * i);
   return value;
 }
 
@@ -48,25 +48,24 @@ void NpyMatrix::reject(InputFault fault, const std::string& what, const std::str
   throw InputError(fault, file_.string() + ": " + what, what_to_do);
 }
 
-NpyMatrix::NpyMatrix(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::binary) {
-  std::error_code error;
-  const std::uint64_t bytes = std::filesystem::file_size(file, error);
-  if (error || !stream_) reject(InputFault::io, "there is no such file, or it cannot be read", "check the path");
-  std::string start(magic.size(), '\0');
-  stream_.read(start.data(), static_cast<std::streamsize>(start.size()));
-  const int major = stream_.get(), minor = stream_.get();
-  if (!stream_ || start != magic) reject(InputFault::syntax, "is no .npy file", remedy);
+NpyMatrix::NpyMatrix(const std::filesystem::path& file) : file_(file), source_(file) {
+  const std::uint64_t bytes = source_.size();
+  std::string start(std::min<std::uint64_t>(bytes, magic.size() + 6 + longest_header), '\0');
+  source_.read_at(0, start.data(), start.size());
+  if (start.size() < magic.size() + 2 || !start.starts_with(magic))
+    reject(InputFault::syntax, "is no .npy file", remedy);
+  const int major = start[magic.size()], minor = start[magic.size() + 1];
   if (major < 1 || major > 3)
     reject(InputFault::unsupported, "is of .npy version " + std::to_string(major) + "." + std::to_string(minor),
            remedy);
-  const int length_bytes = major == 1 ? 2 : 4;
-  const std::uint32_t length = read_number(stream_, length_bytes);
-  if (!stream_ || length > longest_header) reject(InputFault::syntax, "its .npy header is damaged", remedy);
-  std::string header(length, '\0');
-  stream_.read(header.data(), length);
-  if (!stream_) reject(InputFault::truncated, "ends within its .npy header", "write it again");
-  parse(header);
-  first_byte_ = magic.size() + 2 + static_cast<unsigned>(length_bytes) + length;
+  const unsigned length_bytes = major == 1 ? 2 : 4;
+  const std::size_t header = magic.size() + 2 + length_bytes;
+  const std::uint32_t length =
+      start.size() < header ? longest_header + 1 : number_at(start, magic.size() + 2, length_bytes);
+  if (length > longest_header) reject(InputFault::syntax, "its .npy header is damaged", remedy);
+  if (start.size() < header + length) reject(InputFault::truncated, "ends within its .npy header", "write it again");
+  parse(start.substr(header, length));
+  first_byte_ = header + length;
   std::uint64_t entries = 0, taken = 0;
   if (__builtin_mul_overflow(rows_, columns_, &entries) || __builtin_mul_overflow(entries, bytes_of(scalar_), &taken) ||
       taken != bytes - first_byte_)
@@ -98,19 +97,17 @@ std::string NpyMatrix::shape_text() const {
   return "(" + std::to_string(rows_) + ", " + std::to_string(columns_) + ")";
 }
 
-std::vector<double> NpyMatrix::read(std::uint64_t row) {
+std::vector<double> NpyMatrix::read(std::uint64_t row) const {
   std::vector<double> values(columns_);
-  const std::uint64_t row_bytes = columns_ * bytes_of(scalar_);
-  stream_.clear();
-  stream_.seekg(static_cast<std::streamoff>(first_byte_ + row * row_bytes));
+  const std::uint64_t row_bytes = columns_ * bytes_of(scalar_), place = first_byte_ + row * row_bytes;
   if (scalar_ == ScalarType::float64) {
-    stream_.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(row_bytes));
+    source_.read_at(place, reinterpret_cast<char*>(values.data()), row_bytes);
   } else {
     std::vector<float> single(columns_);
-    stream_.read(reinterpret_cast<char*>(single.data()), static_cast<std::streamsize>(row_bytes));
+    source_.read_at(place, reinterpret_cast<char*>(single.data()), row_bytes);
     values.assign(single.begin(), single.end());
   }
-  if (!stream_) reject(InputFault::io, "row " + std::to_string(row) + " cannot be read");
+  source_.demand_unchanged();
   return values;
 }
 

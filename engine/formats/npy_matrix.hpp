@@ -3,10 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
+#include "engine/formats/input_file.hpp"
 #include "geodrome/engine/matrix_file.hpp"
 #include "geodrome/errors.hpp"
 
@@ -25,15 +25,15 @@ class NpyMatrix {
   ScalarType scalar() const noexcept { return scalar_; }
   std::string shape_text() const;  ///< "(3, 5)"
 
-  /// Precondition: row < rows(). Throws InputError (io).
-  std::vector<double> read(std::uint64_t row);
+  /// Precondition: row < rows(). Throws InputError (io), also if the file was changed since it was opened.
+  std::vector<double> read(std::uint64_t row) const;
 
  private:
   void parse(const std::string& header);
   [[noreturn]] void reject(InputFault fault, const std::string& what, const std::string& remedy = {}) const;
 
   std::filesystem::path file_;
-  std::ifstream stream_;
+  input::InputFile source_;
   std::uint64_t rows_ = 0, columns_ = 0, first_byte_ = 0;
   ScalarType scalar_ = ScalarType::float64;
 };

@@ -16,8 +16,8 @@ struct SourceFile {
   bool unpacked = false;  ///< the file is gzip-compressed
 };
 
-/// Reads a whole file, and unpacks it if it is gzip (gzip.hpp). Throws InputError (io) for what is missing, no file or
-/// unreadable, (empty) for 0 bytes.
+/// Reads a whole file, and unpacks it if it is gzip (gzip.hpp). Throws InputError (io) for what is missing, no file,
+/// unreadable or changed meanwhile, (empty) for 0 bytes.
 SourceFile read_source(const std::filesystem::path& path);
 
 /// XXH3, 128 bits, as 32 hexadecimal digits.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/boundary.hpp"
 
+#include <pthread.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -8,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <new>
 
 namespace geodrome {
 namespace {
@@ -42,27 +44,26 @@ const PluginInfo* suspect() noexcept {
   return nullptr;
 }
 
-/// A stack of its own for the handler, one per thread that runs plugins, so that a stack overflow can be told too.
-class HandlerStack {
- public:
-  HandlerStack() noexcept : memory_(new (std::nothrow) char[size]) {
-    const stack_t stack{memory_, 0, size};
-    if (memory_) sigaltstack(&stack, nullptr);
-  }
-  ~HandlerStack() {
-    const stack_t none{nullptr, SS_DISABLE, 0};
-    sigaltstack(&none, nullptr);
-    delete[] memory_;
-  }
-  HandlerStack(const HandlerStack&) = delete;
-  HandlerStack& operator=(const HandlerStack&) = delete;
+constexpr std::size_t handler_stack_size = 64 << 10;
 
- private:
-  static constexpr std::size_t size = 64 << 10;
-  char* memory_;
-};
+void drop_handler_stack(void* memory) noexcept {
+  const stack_t none{nullptr, SS_DISABLE, 0};
+  sigaltstack(&none, nullptr);
+  delete[] static_cast<char*>(memory);
+}
 
-void provide_handler_stack() noexcept { static thread_local const HandlerStack stack; }
+/// A stack of its own for the handler, one per thread that runs plugins, so that a stack overflow can be told too. It
+/// hangs on a key of pthreads: to register the destructor of a thread_local glibc allocates, and aborts if it cannot.
+void provide_handler_stack() noexcept {
+  static pthread_key_t key;
+  static const bool has_key = pthread_key_create(&key, drop_handler_stack) == 0;
+  if (!has_key || pthread_getspecific(key) != nullptr) return;
+  char* memory = new (std::nothrow) char[handler_stack_size];
+  if (memory == nullptr) return;
+  if (pthread_setspecific(key, memory) != 0) return drop_handler_stack(memory);
+  const stack_t stack{memory, 0, handler_stack_size};
+  sigaltstack(&stack, nullptr);
+}
 
 /// Async-signal-safe: nothing here allocates or locks.
 void say(const char* text) noexcept {
@@ -111,6 +112,9 @@ void on_crash(int signal) { end_with_message("crashed with ", signal_name(signal
   if (!std::current_exception()) end_with_message("called std::terminate", "");
   try {
     throw;
+  } catch (const std::bad_alloc&) {
+    for (const char* part : {"geodrome: out of memory; ", out_of_memory_remedy, "\n"}) say(part);
+    _exit(4);
   } catch (const std::exception& error) {
     end_with_message("ended the program with an exception: ", error.what());
   } catch (...) {

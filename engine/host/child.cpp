@@ -20,7 +20,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t largest_output = 1 << 20;
 
-[[noreturn]] void fail(const std::string& what, int error) { throw PluginError(what + ": " + std::strerror(error)); }
+/// A machine that has too little of something is not the plugin's fault.
+[[noreturn]] void fail(const std::string& what, int error) {
+  const std::string message = what + ": " + std::strerror(error);
+  if (error == ENOMEM || error == EAGAIN || error == EMFILE || error == ENFILE)
+    throw RefusedError(message, "close other programs, or raise the limits of the system (ulimit -a)");
+  throw PluginError(message);
+}
 
 /// Both ends are closed on exec; the child gets its end by a dup2 among the spawn actions.
 struct Pipe {

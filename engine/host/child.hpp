@@ -17,7 +17,7 @@ struct ChildEnd {
 
 /// Runs a program with its standard input empty and waits for its end, at most for `limit`; then it and what it
 /// started is killed. Uses posix_spawn, which unlike fork is safe in a program with threads. Throws PluginError if the
-/// program cannot be started. Thread-safe.
+/// program cannot be started, RefusedError if the machine has not enough for it. Thread-safe.
 ChildEnd run_child(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                    std::chrono::milliseconds limit);
 

@@ -6,8 +6,10 @@
 #include <list>
 #include <map>
 #include <mutex>
+#include <new>
 
 #include "engine/host/handshake.hpp"
+#include "engine/host/loader_words.hpp"
 #include "geodrome/engine/boundary.hpp"
 
 namespace geodrome {
@@ -40,8 +42,10 @@ PluginDescriptor open(const PluginInfo& info, boost::dll::shared_library& librar
     if (whole.stage != info.stage || whole.name != info.name) refuse(info, "changed while it was being loaded");
     return whole;
   } catch (const std::system_error& error) {
-    refuse(info, "cannot be loaded: " + std::string(error.what()));
+    refuse(info, "cannot be loaded: " + loader_words(error.what()));
   } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (...) {
     refuse(info, "threw while being loaded, though it had not when it was tested");

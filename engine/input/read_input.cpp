@@ -5,6 +5,7 @@
 #include "engine/input/check_soup.hpp"
 #include "engine/input/merge.hpp"
 #include "engine/input/weights.hpp"
+#include "geodrome/engine/boundary.hpp"
 
 namespace geodrome {
 
@@ -16,9 +17,9 @@ Input read_input(const std::filesystem::path& path, const ReadOptions& options) 
     if (soup.vertices_by_place) merge_vertices(soup);
     return check_soup(Origin(path), options, std::move(soup), content_hash(file.bytes));
   } catch (const std::bad_alloc&) {
-    throw InputError(InputFault::unsupported, path.string() + ": the file does not fit into memory");
+    throw RefusedError(path.string() + ": the file does not fit into memory", out_of_memory_remedy);
   } catch (const std::length_error&) {
-    throw InputError(InputFault::unsupported, path.string() + ": the file does not fit into memory");
+    throw RefusedError(path.string() + ": the file does not fit into memory", out_of_memory_remedy);
   }
 }
 

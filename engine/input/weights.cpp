@@ -2,9 +2,9 @@
 #include "engine/input/weights.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include "engine/formats/line_reader.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/input/findings.hpp"
 
 namespace geodrome::input {
@@ -15,7 +15,7 @@ constexpr double largest = 1e100, smallest = 1e-100;
 
 /// What is wrong with a weight; empty if nothing is.
 std::string fault_of(double weight) {
-  std::ostringstream text;
+  TextOutput text;
   text << weight;
   if (!std::isfinite(weight)) return "the weight " + text.str() + " is not finite";
   if (!(weight > 0)) return "the weight " + text.str() + " is not positive";

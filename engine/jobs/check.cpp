@@ -2,8 +2,8 @@
 #include "engine/jobs/check.hpp"
 
 #include <ostream>
-#include <sstream>
 
+#include "engine/formats/text_stream.hpp"
 #include "engine/input/finding_text.hpp"
 #include "engine/report/weights_text.hpp"
 
@@ -58,7 +58,7 @@ void tell_sample(const JobStart& start, const Observer& observer, Json& json, st
 
 CheckReport check_report(const JobStart& start, const Observer& observer) {
   CheckReport result{.refusal = start.opened.refusal};
-  std::ostringstream text;
+  TextOutput text;
   text.precision(4);
   Json json{{"usable", true}, {"input", to_json(start.input())}};
   print(start.input(), observer, text);

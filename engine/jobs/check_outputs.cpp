@@ -3,6 +3,9 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <system_error>
+
 #include "engine/formats/table.hpp"
 #include "geodrome/errors.hpp"
 
@@ -12,10 +15,18 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// The one name of a file that may not be there yet. What cannot be followed stays as it is.
+fs::path followed(const fs::path& file) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(file, error);
+  if (error) return file.lexically_normal();
+  fs::path canonical = fs::weakly_canonical(absolute, error);
+  return error ? absolute.lexically_normal() : canonical;
+}
+
 bool is_same_file(const fs::path& a, const fs::path& b) {
   std::error_code error;
-  if (fs::equivalent(a, b, error)) return true;
-  return fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
+  return fs::equivalent(a, b, error) || followed(a) == followed(b);
 }
 
 [[noreturn]] void refuse(const fs::path& file, const std::string& why, const std::string& remedy) {
@@ -23,15 +34,21 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
 }
 
 void check_place(const fs::path& file) {
-  std::error_code error;
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error)) refuse(file, "there is no folder " + folder.string(), "make it first");
-  const fs::file_status status = fs::status(file, error);
+  const auto status_of = [&](const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    if (status.type() == fs::file_type::none) refuse(file, error.message(), "check the path and its permissions");
+    return status;
+  };
+  if (!fs::is_directory(status_of(folder))) refuse(file, "there is no folder " + folder.string(), "make it first");
+  const fs::file_status status = status_of(file);
   if (fs::is_directory(status)) refuse(file, "is a directory", "name a file inside it");
   if (fs::exists(status) && !fs::is_regular_file(status)) refuse(file, "is no regular file", "choose another name");
   // What is written gets its name by renaming, so the folder counts, not the file that may be there.
   if (::access(folder.c_str(), W_OK) != 0)
-    refuse(file, "the folder " + folder.string() + " may not be written", "choose another one");
+    refuse(file, "the folder " + folder.string() + " may not be written: " + std::generic_category().message(errno),
+           "choose another one");
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/start.hpp"
 
-#include <sstream>
-
 #include "engine/formats/remedies.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/input/finding_text.hpp"
 #include "engine/report/off_surface_text.hpp"
@@ -110,10 +109,11 @@ void throw_if_refused(const JobStart& start, Observer& observer) {
 
 void tell_sample(const JobStart& start, Observer& observer) {
   if (!start.sample) return;
-  std::stringstream text;
+  TextOutput text;
   text.precision(4);
   print_short(*start.sample, text);
-  for (std::string line; std::getline(text, line);) observer.log(LogLevel::info, line);
+  TextInput lines(text.str());
+  for (std::string line; std::getline(lines, line);) observer.log(LogLevel::info, line);
 }
 
 }  // namespace geodrome

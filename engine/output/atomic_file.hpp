@@ -6,8 +6,9 @@
 
 namespace geodrome {
 
-/// Writes a whole file, or nothing: to a temporary file beside it that then takes its name. Throws InputError (io) with
-/// the system's reason; the file that was there is then as it was.
+/// Writes a whole file, or nothing: to a temporary file beside it, FILE.PROCESS-N.tmp, that takes its name once it is
+/// on the disk. Throws InputError (io) with the system's reason; the file that was there is then as it was, and no
+/// other is left.
 void write_atomically(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace geodrome

@@ -8,15 +8,14 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
-#include <memory>
-#include <new>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <vector>
 
+#include "engine/formats/input_file.hpp"
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
 #include "engine/formats/source_file.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/output/atomic_file.hpp"
 
 namespace geodrome {
@@ -78,16 +77,23 @@ std::string option_differences(const IndexIdentity& was, const IndexIdentity& is
   return text;
 }
 
-/// Reads an index from its file, piece by piece, and refuses what is wrong with it.
+/// The bytes of a file, of which there may be none.
+std::string read_whole(const std::filesystem::path& path) {
+  const input::InputFile file(path);
+  std::string bytes(file.size(), '\0');
+  file.read_at(0, bytes.data(), bytes.size());
+  file.demand_unchanged();
+  return bytes;
+}
+
+/// Takes an index apart, and refuses what is wrong with it.
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& path) : path_(path) {
     std::error_code error;
-    if (!std::filesystem::is_regular_file(path, error))
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
       refuse(InputFault::io, "is no regular file", "name another one");
-    size_ = std::filesystem::file_size(path, error);
-    file_.open(path, std::ios::binary);
-    if (error || !file_) refuse(InputFault::io, "cannot be opened", "check its permissions");
+    bytes_ = read_whole(path);
     read_preamble();
     read_identity();
   }
@@ -108,24 +114,10 @@ class Reader {
              mine);
   }
 
-  std::ifstream checked_payload() && {
-    const auto begin = file_.tellg();
-    struct Free {
-      void operator()(XXH3_state_t* state) const { XXH3_freeState(state); }
-    };
-    const std::unique_ptr<XXH3_state_t, Free> state(XXH3_createState());
-    if (!state) throw std::bad_alloc();
-    XXH3_64bits_reset(state.get());
-    std::vector<char> block(1 << 16);
-    for (std::uint64_t left = preamble_.payload_bytes; left > 0;) {
-      const std::size_t part = std::min<std::uint64_t>(left, block.size());
-      read(block.data(), part);
-      XXH3_64bits_update(state.get(), block.data(), part);
-      left -= part;
-    }
-    if (XXH3_64bits_digest(state.get()) != preamble_.payload_checksum) refuse_damaged("its content");
-    file_.seekg(begin);
-    return std::move(file_);
+  TextInput checked_content() && {
+    const std::string_view payload = std::string_view(bytes_).substr(payload_begin());
+    if (XXH3_64bits(payload.data(), payload.size()) != preamble_.payload_checksum) refuse_damaged("its content");
+    return TextInput(std::move(bytes_), payload_begin());
   }
 
  private:
@@ -136,19 +128,17 @@ class Reader {
     refuse(InputFault::syntax, "is damaged: the checksum of " + part + " is another", rebuild_);
   }
 
-  void read(void* to, std::size_t size) {
-    if (!file_.read(static_cast<char*>(to), static_cast<std::streamsize>(size)))
-      refuse(InputFault::io, "cannot be read", "check the disk");
-  }
+  std::size_t payload_begin() const { return sizeof(Preamble) + preamble_.identity_bytes; }
 
   void read_preamble() {
+    const std::uint64_t size = bytes_.size();
     std::array<char, sizeof(Preamble)> bytes{};
-    read(bytes.data(), std::min<std::uint64_t>(size_, bytes.size()));
+    std::ranges::copy(std::string_view(bytes_).substr(0, bytes.size()), bytes.begin());
     preamble_ = std::bit_cast<Preamble>(bytes);
-    const std::size_t begun = std::min<std::uint64_t>(size_, index_magic.size());
+    const std::size_t begun = std::min<std::uint64_t>(size, index_magic.size());
     if (std::memcmp(bytes.data(), index_magic.data(), begun) != 0)
       refuse(InputFault::syntax, "is no index file", remedies::other_index());
-    if (size_ < sizeof(Preamble)) refuse(InputFault::truncated, "ends within its first bytes", rebuild_);
+    if (size < sizeof(Preamble)) refuse(InputFault::truncated, "ends within its first bytes", rebuild_);
     if (preamble_.version != format_version)
       refuse(InputFault::unsupported,
              "has format version " + std::to_string(preamble_.version) + ", this program reads " +
@@ -159,14 +149,13 @@ class Reader {
     constexpr std::uint64_t longest = std::uint64_t{1} << 62;
     if (std::max(preamble_.identity_bytes, preamble_.payload_bytes) > longest) refuse_damaged("its first bytes");
     const std::uint64_t due = sizeof(Preamble) + preamble_.identity_bytes + preamble_.payload_bytes;
-    if (size_ == due) return;
-    const std::string sizes = std::to_string(size_) + " bytes instead of " + std::to_string(due);
-    refuse(size_ < due ? InputFault::truncated : InputFault::syntax, "has " + sizes, rebuild_);
+    if (size == due) return;
+    const std::string sizes = std::to_string(size) + " bytes instead of " + std::to_string(due);
+    refuse(size < due ? InputFault::truncated : InputFault::syntax, "has " + sizes, rebuild_);
   }
 
   void read_identity() {
-    std::string text(preamble_.identity_bytes, '\0');
-    read(text.data(), text.size());
+    const std::string text = bytes_.substr(sizeof(Preamble), preamble_.identity_bytes);
     if (XXH3_64bits(text.data(), text.size()) != preamble_.identity_checksum) refuse_damaged("what it belongs to");
     try {
       identity_ = identity_from(text);
@@ -177,8 +166,7 @@ class Reader {
 
   static constexpr const char* rebuild_ = "remove it: it is built anew then";
   std::filesystem::path path_;
-  std::uint64_t size_ = 0;
-  std::ifstream file_;
+  std::string bytes_;
   Preamble preamble_{};
   IndexIdentity identity_;
 };
@@ -202,10 +190,9 @@ IndexIdentity identity_of(const SurfaceMesh& mesh, const PluginInfo& plugin, con
 std::uint64_t write_index(const std::filesystem::path& file, const IndexIdentity& identity,
                           const std::function<void(std::ostream&)>& save) {
   const std::string text = text_of(identity);
-  std::ostringstream stream(std::ios::binary);
+  TextOutput stream(std::ios::binary);
   stream << std::string(sizeof(Preamble), '\0') << text;
   save(stream);
-  if (!stream) throw std::bad_alloc();  // memory is all that such a stream can run out of
   std::string bytes = std::move(stream).str();
   const std::string_view payload = std::string_view(bytes).substr(sizeof(Preamble) + text.size());
   Preamble preamble{index_magic,
@@ -223,10 +210,10 @@ std::uint64_t write_index(const std::filesystem::path& file, const IndexIdentity
   return bytes.size();
 }
 
-std::ifstream open_index(const std::filesystem::path& file, const IndexIdentity& identity) {
+TextInput open_index(const std::filesystem::path& file, const IndexIdentity& identity) {
   Reader reader(file);
   reader.demand_same(identity);
-  return std::move(reader).checked_payload();
+  return std::move(reader).checked_content();
 }
 
 }  // namespace geodrome

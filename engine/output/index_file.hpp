@@ -3,12 +3,11 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iosfwd>
 #include <map>
 #include <string>
 
+#include "engine/formats/text_stream.hpp"
 #include "geodrome/engine/plugin_info.hpp"
 #include "geodrome/surface.hpp"
 
@@ -37,10 +36,10 @@ IndexIdentity identity_of(const SurfaceMesh& mesh, const PluginInfo& plugin, con
 std::uint64_t write_index(const std::filesystem::path& file, const IndexIdentity& identity,
                           const std::function<void(std::ostream&)>& save);
 
-/// A file that is whole and belongs to `identity`, open at the first byte of its payload, which ends with the file.
+/// The content of a file that is whole and belongs to `identity`, at the first byte of its payload, which ends it.
 /// Throws InputError that names the file: (io) it cannot be read, (truncated), (syntax) no index, or damaged,
 /// (unsupported) another format version, or made by another solver, with other options, for another mesh: the message
-/// names what differs, with both values. O(bytes); memory: one block.
-std::ifstream open_index(const std::filesystem::path& file, const IndexIdentity& identity);
+/// names what differs, with both values. O(bytes) in time and memory: what was checked is what is read.
+TextInput open_index(const std::filesystem::path& file, const IndexIdentity& identity);
 
 }  // namespace geodrome

@@ -38,7 +38,7 @@ void check_entries(const MatrixFile::Spec& spec, const TextFormat& text) {
 struct MatrixFile::Impl {
   Impl(const Spec& spec, const MatrixFormat& format, bool resume)
       : format(format), partial(spec, format.dense, text_room(spec, format), resume) {
-    fs::remove(text_file_of(spec.out));  // of a run that died while it wrote the text
+    remove_file(text_file_of(spec.out));  // of a run that died while it wrote the text
   }
 
   static std::uint64_t text_room(const Spec& spec, const MatrixFormat& format) {
@@ -98,6 +98,8 @@ MatrixFile MatrixFile::open(const Spec& spec, bool resume) {
 bool MatrixFile::has(std::uint64_t row) const { return impl_->partial.has(row); }
 
 std::uint64_t MatrixFile::rows_done() const { return impl_->partial.rows_done(); }
+
+bool MatrixFile::is_locked() const { return impl_->partial.is_locked(); }
 
 void MatrixFile::write(std::uint64_t row, std::span<const double> values) {
   const Spec& spec = impl_->partial.spec();

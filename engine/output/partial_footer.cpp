@@ -135,7 +135,7 @@ void save_footer(const PosixFile& file, const DenseLayout& layout, const std::fi
 }
 
 void restore_footer(const PosixFile& file, const DenseFormat& format, const std::filesystem::path& from) {
-  if (!std::filesystem::exists(from)) return;
+  if (!file_exists(from)) return;
   const PosixFile saved(from, false);
   std::vector<char> footer(saved.size());
   std::array<char, sizeof(Trailer)> last;

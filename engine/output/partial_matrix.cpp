@@ -39,22 +39,26 @@ std::uint64_t needed_room(const DenseLayout& layout, std::uint64_t allocated, st
 }
 
 /// Opens and locks the partial. Another process may rename it between the two, when it is no longer ours to write.
-PosixFile open_locked(const fs::path& partial) {
+PosixFile open_locked(const fs::path& partial, std::unique_ptr<LockFile>& lock_file) {
   for (;;) {
     PosixFile file(partial, false);
-    if (!file.try_lock())
+    const PosixFile::Lock lock = file.try_lock();
+    if (lock == PosixFile::Lock::held_by_another)
       throw RefusedError(partial.string() + " is being written by another run",
                          "wait for it, or choose another output");
+    if (lock == PosixFile::Lock::unsupported && !lock_file)
+      lock_file = std::make_unique<LockFile>(fs::path(partial) += "-lock");
     if (file.is_at_its_path()) return file;
   }
 }
 
-PosixFile open_with_room(const fs::path& out, const DenseLayout& layout, std::uint64_t room_beside) {
+PosixFile open_with_room(const fs::path& out, const DenseLayout& layout, std::uint64_t room_beside,
+                         std::unique_ptr<LockFile>& lock_file) {
   const fs::path partial = partial_of(out);
   const std::uint64_t available = available_room(out);
-  if (const std::uint64_t all = needed_room(layout, 0, room_beside); all > available && !fs::exists(partial))
+  if (const std::uint64_t all = needed_room(layout, 0, room_beside); all > available && !file_exists(partial))
     refuse_room(out, all, available);  // before anything is created
-  PosixFile file = open_locked(partial);
+  PosixFile file = open_locked(partial, lock_file);
   if (const std::uint64_t needed = needed_room(layout, file.allocated(), room_beside); needed > available)
     refuse_room(out, needed, available);
   return file;
@@ -73,7 +77,7 @@ PartialMatrix::PartialMatrix(const MatrixFile::Spec& spec, const DenseFormat& fo
     : spec_(spec),
       layout_(layout_of(format, spec)),
       room_beside_(room_beside),
-      file_(open_with_room(spec.out, layout_, room_beside)),
+      file_(open_with_room(spec.out, layout_, room_beside, lock_file_)),
       checksums_(new std::atomic<std::uint64_t>[spec.rows] {}) {
   const fs::path saved_footer = saved_footer_of(spec_.out);
   std::optional<MatrixFile::Spec> stored;
@@ -82,7 +86,7 @@ PartialMatrix::PartialMatrix(const MatrixFile::Spec& spec, const DenseFormat& fo
     refuse_if_without_footer();
     stored = read_footer(file_, format);
   }
-  fs::remove(saved_footer);
+  remove_file(saved_footer);
   if (stored) {
     adopt(*stored, format);
     return;
@@ -158,6 +162,9 @@ void PartialMatrix::read(std::uint64_t row, void* bytes) const {
 
 /// The name is given last, so that OUT is whole whenever it is there.
 void PartialMatrix::publish() const {
+  if (!file_.is_at_its_path())
+    throw InputError(InputFault::io, file_.path().string() + " was removed or replaced while it was written",
+                     "let one run at a time write it");
   const fs::path saved_footer = saved_footer_of(spec_.out);
   save_footer(file_, layout_, saved_footer);
   file_.resize(layout_.footer());
@@ -167,6 +174,6 @@ void PartialMatrix::publish() const {
   fs::remove(saved_footer, ignored);
 }
 
-void PartialMatrix::remove() const { fs::remove(file_.path()); }
+void PartialMatrix::remove() const { remove_file(file_.path()); }
 
 }  // namespace geodrome

@@ -6,14 +6,15 @@
 #include <memory>
 
 #include "engine/output/dense_layout.hpp"
+#include "engine/output/lock_file.hpp"
 #include "engine/output/posix_file.hpp"
 #include "geodrome/engine/matrix_file.hpp"
 
 namespace geodrome {
 
 /// The file OUT.partial in which a matrix grows: a dense file of some format, then a footer with the fingerprint of the
-/// run and a checksum per row (partial_footer.hpp). It is locked as long as this object lives. Thread-safe for
-/// different rows.
+/// run and a checksum per row (partial_footer.hpp). It is locked as long as this object lives; where the file
+/// system has no locks, by the file OUT.partial-lock. Thread-safe for different rows.
 class PartialMatrix {
  public:
   /// As `MatrixFile::open`. `room_beside`: bytes that will be needed on the same disk beside this file.
@@ -22,6 +23,7 @@ class PartialMatrix {
   const MatrixFile::Spec& spec() const noexcept { return spec_; }
   bool has(std::uint64_t row) const noexcept { return row < spec_.rows && checksums_[row] != 0; }
   std::uint64_t rows_done() const noexcept { return done_; }
+  bool is_locked() const noexcept { return !lock_file_; }
 
   /// Writes a row, as its bytes are to stand in the file. Precondition: row < spec().rows, and there are as many bytes
   /// as a row has.
@@ -47,6 +49,7 @@ class PartialMatrix {
   MatrixFile::Spec spec_;
   DenseLayout layout_;
   std::uint64_t room_beside_;
+  std::unique_ptr<LockFile> lock_file_;
   PosixFile file_;
   std::unique_ptr<std::atomic<std::uint64_t>[]> checksums_;  // per row; 0: not there
   std::atomic<std::uint64_t> done_ = 0;

@@ -74,6 +74,7 @@ void PosixFile::write_at(std::uint64_t offset, const void* data, std::size_t siz
     const std::size_t part = std::min(size, largest_transfer);
     const ssize_t moved = uninterrupted([&] { return ::pwrite(descriptor_, place, part, static_cast<off_t>(offset)); });
     if (moved == -1) fail("write");
+    if (moved == 0) fail_io("write", path_, "the system takes no more bytes");
     place += moved, offset += static_cast<std::uint64_t>(moved), size -= static_cast<std::size_t>(moved);
   }
 }
@@ -106,26 +107,46 @@ bool PosixFile::reserve(std::uint64_t size) const {
   fail("reserve room for");
 }
 
-bool PosixFile::try_lock() const {
-  if (uninterrupted([&] { return ::flock(descriptor_, LOCK_EX | LOCK_NB); }) == 0) return true;
-  if (errno == EWOULDBLOCK) return false;
+PosixFile::Lock PosixFile::try_lock() const {
+  if (uninterrupted([&] { return ::flock(descriptor_, LOCK_EX | LOCK_NB); }) == 0) return Lock::taken;
+  if (errno == EWOULDBLOCK) return Lock::held_by_another;
+  if (errno == ENOLCK || errno == EOPNOTSUPP || errno == ENOSYS) return Lock::unsupported;
   fail("lock");
 }
 
 bool PosixFile::is_at_its_path() const {
   struct stat here, there;
   if (::fstat(descriptor_, &here) != 0) fail("examine");
-  return ::stat(path_.c_str(), &there) == 0 && here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+  if (::stat(path_.c_str(), &there) == 0) return here.st_dev == there.st_dev && here.st_ino == there.st_ino;
+  if (errno != ENOENT && errno != ENOTDIR) fail("examine");
+  return false;
 }
 
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) fail_io("write", to, system_words());
-  const std::filesystem::path folder = to.has_parent_path() ? to.parent_path() : ".";
+  sync_folder_of(to);
+}
+
+void sync_folder_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   const int descriptor = uninterrupted([&] { return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
   if (descriptor == -1)
     return;  // a folder that may be written but not read cannot be synced; the file is whole all the same
   ::fsync(descriptor);
   ::close(descriptor);
+}
+
+bool file_exists(const std::filesystem::path& file) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::none) fail_io("examine", file, error.message());
+  return std::filesystem::exists(status);
+}
+
+void remove_file(const std::filesystem::path& file) {
+  std::error_code error;
+  std::filesystem::remove(file, error);
+  if (error) fail_io("remove", file, error.message());
 }
 
 }  // namespace geodrome

@@ -33,8 +33,10 @@ class PosixFile {
   /// is not enough; true without effect where the file system cannot do it.
   bool reserve(std::uint64_t size) const;
 
-  /// Takes the exclusive lock of the file, which lasts as long as this object. False if somebody else has it.
-  bool try_lock() const;
+  /// Takes the exclusive lock of the file, which lasts as long as this object. `unsupported`: the file system has no
+  /// locks, as some over a network.
+  enum class Lock { taken, held_by_another, unsupported };
+  Lock try_lock() const;
   /// True if `path()` still names this very file (it may have been renamed or removed).
   bool is_at_its_path() const;
 
@@ -47,5 +49,14 @@ class PosixFile {
 
 /// Renames, replacing `to`, and waits until that is on the disk. Throws InputError (io).
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to);
+
+/// Waits until the name of the file is on the disk, where the system can do that.
+void sync_folder_of(const std::filesystem::path& file);
+
+/// True if there is a file of that name. Throws InputError (io) if that cannot be told.
+bool file_exists(const std::filesystem::path& file);
+
+/// Removes the file if it is there. Throws InputError (io).
+void remove_file(const std::filesystem::path& file);
 
 }  // namespace geodrome

@@ -2,8 +2,8 @@
 #include "engine/report/sample_report.hpp"
 
 #include <algorithm>
-#include <sstream>
 
+#include "engine/formats/text_stream.hpp"
 #include "engine/surface/input_rows.hpp"
 
 namespace geodrome {
@@ -34,14 +34,14 @@ double points_for(double wanted, double epsilon, std::size_t live) {
 }
 
 std::string percent(double share) {
-  std::ostringstream text;
+  TextOutput text;
   text.precision(3);
   text << 100 * share << " %";
   return text.str();
 }
 
 std::string number(double value) {
-  std::ostringstream text;
+  TextOutput text;
   text.precision(3);
   text << value;
   return text.str();

@@ -5,9 +5,9 @@
 #include <iomanip>
 #include <iterator>
 #include <ostream>
-#include <sstream>
 
 #include "engine/formats/text.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/report/sample_report.hpp"
 
 namespace geodrome {
@@ -17,7 +17,7 @@ namespace {
 /// Two digits: it is an estimate.
 std::string about(double count) {
   const double unit = std::pow(10, std::max(0.0, std::floor(std::log10(count)) - 1));
-  std::ostringstream text;
+  TextOutput text;
   text << std::fixed << std::setprecision(0) << std::ceil(count / unit) * unit;
   return text.str();
 }
@@ -28,14 +28,14 @@ std::string not_measured(const StageFigure& figure) {
 
 std::string percent_or_not(const StageFigure& figure) {
   if (!figure.is_measured()) return not_measured(figure);
-  std::ostringstream text;
+  TextOutput text;
   text << std::setprecision(3) << 100 * figure.value << " %";
   return text.str();
 }
 
 std::string value_or_not(const StageFigure& figure) {
   if (!figure.is_measured()) return not_measured(figure);
-  std::ostringstream text;
+  TextOutput text;
   text << std::setprecision(4) << figure.value;
   return text.str();
 }
@@ -146,7 +146,7 @@ void print_claims(const std::vector<Claim>& claims, std::ostream& out) {
 }
 
 std::string line_of(const WorstPlace& place) {
-  std::ostringstream line;
+  TextOutput line;
   line.precision(6);
   line << "point " << place.row << " at (" << place.position.x << ", " << place.position.y << ", " << place.position.z
        << "): ";

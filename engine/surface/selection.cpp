@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iterator>
 #include <numeric>
 #include <optional>
-#include <sstream>
 
 #include "engine/formats/source_file.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/surface/place.hpp"
 
 namespace geodrome {
@@ -34,7 +33,7 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 using Words = std::vector<std::string>;
 
 Words words_of(const std::string& text) {
-  std::istringstream stream(text);
+  TextInput stream(text);
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
@@ -119,7 +118,7 @@ PointEntry to_face_point(const Words& words) {
 
 double to_start(const std::string& text) {
   std::string word, more;
-  std::istringstream stream(text);
+  TextInput stream(text);
   stream >> word;
   const double value = word.empty() ? -1 : to_number(word);
   if (value < 0 || stream >> more) throw OptionError("a start distance is one number >= 0, not " + input::quoted(text));
@@ -216,16 +215,10 @@ void for_each_line(std::istream& file, const std::string& name, const char* synt
 }
 
 Selection parse_file(const std::string& name) {
-  std::error_code ignored;
-  const bool is_directory = std::filesystem::is_directory(name, ignored);
-  std::ifstream file(name);
-  if (!file || is_directory)
-    throw InputError(InputFault::io,
-                     "the list '" + name + "' cannot be opened" + (is_directory ? ": it is a directory" : ""),
-                     "write '@FILE' with the path of a file that may be read");
+  TextInput lines(input::read_source(name).bytes);
   Selection selection{.file = name};
   std::uint64_t before = 0;
-  for_each_line(file, name, entry_syntax, [&](const std::string& text, std::uint32_t line) {
+  for_each_line(lines, name, entry_syntax, [&](const std::string& text, std::uint32_t line) {
     PointEntry entry = to_line(text);
     entry.line = line;
     if (entry.kind != PointEntry::Kind::row) entry.label = "@" + std::to_string(before);
@@ -264,7 +257,7 @@ Selection parse_selection(const std::string& text) {
   if (text.starts_with('@')) return parse_file(text.substr(1));
   if (text == "all") return {.all = true};
   Selection selection;
-  std::istringstream list(text + (text.ends_with(',') ? "," : ""));  // getline sees no empty word at the end
+  TextInput list(text + (text.ends_with(',') ? "," : ""));  // getline sees no empty word at the end
   for (std::string item; std::getline(list, item, ',');) selection.entries.push_back(to_item(item));
   if (selection.entries.empty()) throw OptionError("no point is named", list_syntax);
   return selection;
@@ -281,7 +274,7 @@ Selection parse_place(const std::string& text) {
 PairSelection parse_pairs(const std::filesystem::path& file) {
   input::SourceFile source = input::read_source(file);
   PairSelection selection{file.string(), {}, input::content_hash(source.bytes)};
-  std::istringstream lines(std::move(source.bytes));
+  TextInput lines(std::move(source.bytes));
   for_each_line(lines, selection.file, pair_syntax, [&](const std::string& text, std::uint32_t line) {
     PairEntry& pair = selection.pairs.emplace_back(to_pair(text));
     pair.from.line = pair.to.line = line;

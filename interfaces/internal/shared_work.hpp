@@ -7,6 +7,7 @@
 #include <exception>
 #include <limits>
 #include <mutex>
+#include <new>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -88,6 +89,8 @@ void share_work(std::uint64_t count, std::uint64_t chunk, unsigned threads, cons
       for (std::uint64_t i = 0; i < wanted; ++i) helpers.emplace_back([&] { queue.work(make_worker); });
     } catch (const std::system_error&) {
       // The system gives no more threads: those that there are do the same work.
+    } catch (const std::bad_alloc&) {
+      // Nor memory for them.
     }
     queue.work(make_worker);
   }

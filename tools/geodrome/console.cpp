@@ -23,11 +23,15 @@ void on_interrupt(int) {
   if (++interrupts > 1) _exit(130);
 }
 
+/// A signal that the caller has put out of action, as nohup does, stays so.
+void stop_on(int signal) {
+  if (std::signal(signal, on_interrupt) == SIG_IGN) std::signal(signal, SIG_IGN);
+}
+
 }  // namespace
 
 Console::Console(bool quiet) : quiet_(quiet), terminal_(isatty(STDERR_FILENO) != 0) {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGXCPU}) stop_on(signal);
 }
 
 Console::~Console() { clear_line(); }

@@ -11,7 +11,8 @@
 namespace geodrome::cli {
 
 /// Tells a person at a terminal what goes on, on standard error: messages always, progress only on a terminal and only
-/// for what takes over a second. Ctrl-C asks the job to stop; a second one ends the program at once.
+/// for what takes over a second. Ctrl-C asks the job to stop, as do SIGTERM, SIGHUP and
+/// SIGXCPU; a second one ends the program at once.
 class Console final : public Observer {
  public:
   explicit Console(bool quiet);

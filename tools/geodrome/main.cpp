@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -20,7 +21,7 @@ constexpr const char* footer =
     "Indices count from 0. Unreachable is inf, dropped nan.\n"
     "Exit status: 0 done, 1 internal error, 2 usage, 3 bad input, unwritable output, or a plugin's needs or provides "
     "not met,\n"
-    "4 refused (disk, --yes, sample or surface not fit, a plugin by 'plugins check'), 5 plugin failure or distances "
+    "4 refused (disk, memory, --yes, sample or surface not fit, a plugin by 'plugins check'), 5 plugin failure or distances "
     "that broke a promise, 130 "
     "cancelled.\n"
     "'geodrome COMMAND --help' tells the options of a command.";
@@ -33,6 +34,13 @@ void occupy_standard_streams() {
     if (descriptor > 2) close(descriptor);
     if (descriptor < 0) return;
   }
+}
+
+/// A limit of file sizes and a reader that went away then show as errors of writing, which are told, and do not end a
+/// job of hours.
+void take_signals_of_writing_as_errors() {
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
 }
 
 /// CLI11 takes a word that is no command for a missing one.
@@ -85,12 +93,13 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
+  take_signals_of_writing_as_errors();
   geodrome::install_crash_handlers();
   try {
     return run(argc, argv);
-  } catch (const std::bad_alloc&) {
-    std::fprintf(stderr, "geodrome: out of memory; ask for less, or use a machine with more\n");
-    return 1;
+  } catch (const std::bad_alloc& error) {
+    std::fprintf(stderr, "geodrome: out of memory; %s\n", geodrome::out_of_memory_remedy);
+    return geodrome::exit_status(error);
   } catch (const geodrome::Error& error) {
     std::fprintf(stderr, "geodrome: %s\n", geodrome::cli::text_of(error).c_str());
     return geodrome::exit_status(error);

@@ -54,8 +54,9 @@ std::vector<Verdict> judge_all(const Subject& subject, const std::vector<Demand>
                                Tell&& tell) {
   std::counting_semaphore<> free(thread_count(arguments.settings));
   std::vector<std::future<Verdict>> running;
+  // Where the system gives no more threads, a demand is judged when its verdict is wanted.
   for (const Demand& demand : all)
-    running.push_back(std::async(std::launch::async, [&] {
+    running.push_back(std::async(std::launch::async | std::launch::deferred, [&] {
       free.acquire();
       const std::unique_ptr<std::counting_semaphore<>, void (*)(std::counting_semaphore<>*)> release(
           &free, [](std::counting_semaphore<>* s) { s->release(); });

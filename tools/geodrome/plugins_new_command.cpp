@@ -2,7 +2,6 @@
 #include <fstream>
 #include <iostream>
 #include <map>
-#include <sstream>
 
 #include "geodrome/engine/installed.hpp"
 #include "geodrome/plugin.hpp"
@@ -57,11 +56,13 @@ InputError unwritable(const fs::path& path) {
 }
 
 void copy_file(const fs::path& from, const fs::path& to, const NewPluginArguments& arguments) {
-  std::ostringstream text;
-  text << std::ifstream(from, std::ios::binary).rdbuf();
+  std::string text(fs::file_size(from), '\0');
+  if (!std::ifstream(from, std::ios::binary).read(text.data(), static_cast<std::streamsize>(text.size())))
+    throw InputError(InputFault::io, from.string() + " cannot be read", "install Geodrome completely");
   std::ofstream out(to, std::ios::binary);
-  out << filled_in(text.str(), arguments);
-  if (!out.flush()) throw unwritable(to);
+  out << filled_in(text, arguments);
+  out.close();
+  if (!out) throw unwritable(to);
   std::cout << to.string() << "\n";
 }
 
@@ -83,7 +84,12 @@ int start_plugin(const NewPluginArguments& arguments) {
     throw InputError(InputFault::io, target.string() + " is there already", "choose another folder with -o");
   std::error_code error;
   if (!fs::create_directories(target, error)) throw unwritable(target);
-  for (const auto& [name, source] : files) copy_file(source, target / name, arguments);
+  try {
+    for (const auto& [name, source] : files) copy_file(source, target / name, arguments);
+  } catch (...) {
+    fs::remove_all(target, error);  // half a project is none
+    throw;
+  }
   return 0;
 }
 

@@ -30,12 +30,14 @@ int write_shape(const ShapeArguments& arguments) {
   check_outputs({&arguments.out, 1}, {});
   if (arguments.mesh) {
     const SurfaceMesh made = shapes::mesh(arguments.kind, arguments.faces, arguments.spec.seed);
+    const Console undisturbed(true);  // a signal ends what is computed at once, but what is written is finished
     for (const Finding& finding : write_mesh(arguments.out, made))
       std::cerr << "warning: " << finding.message << "; " << words(finding.remedy) << "\n";
     std::cout << arguments.out.string() << ": " << made.vertex_count() << " vertices, " << made.face_count()
               << " faces\n";
   } else {
     const PointSample made = shapes::sample(arguments.kind, arguments.spec);
+    const Console undisturbed(true);
     write_points(arguments.out, made.points);
     std::cout << arguments.out.string() << ": " << made.size() << " points\n";
   }

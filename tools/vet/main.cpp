@@ -15,6 +15,7 @@
 
 #include "engine/host/answer.hpp"
 #include "engine/host/handshake.hpp"
+#include "engine/host/loader_words.hpp"
 #include "engine/host/plugin_json.hpp"
 #include "tools/vet/descriptor.hpp"
 
@@ -46,14 +47,6 @@ std::string what_was_thrown() {
   } catch (...) {
     return "an exception of unknown type";
   }
-}
-
-/// What the dynamic loader says. Boost wraps it in its own words and adds an errno that is somebody else's.
-std::string loader_words(const std::string& text) {
-  constexpr std::string_view before = "(dlerror system message: ";
-  const std::size_t begin = text.find(before), end = text.rfind(')');
-  if (begin == std::string::npos || end == std::string::npos || end < begin + before.size()) return text;
-  return text.substr(begin + before.size(), end - begin - before.size());
 }
 
 void vet(const std::filesystem::path& file) {

@@ -2,10 +2,10 @@
 #include "engine/jobs/compare/combinations.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "engine/formats/remedies.hpp"
 #include "engine/formats/text.hpp"
+#include "engine/formats/text_stream.hpp"
 
 namespace geodrome {
 
@@ -48,7 +48,7 @@ VariedStage parse_varied_stage(const std::string& text) {
     throw OptionError("the varied stage '" + text + "' names no choices", remedies::varied_syntax());
   VariedStage varied{text.substr(0, equals), {}};
   member_of(varied.stage);
-  std::istringstream words(text.substr(equals + 1));
+  TextInput words(text.substr(equals + 1));
   for (std::string word; std::getline(words, word, ',');) {
     const bool is_option = word.find('=') != std::string::npos && word.find(':') == std::string::npos;
     if (is_option && !varied.choices.empty())

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
 #include "engine/formats/number_text.hpp"
+#include "engine/formats/text_stream.hpp"
 
 namespace geodrome {
 
@@ -146,7 +146,7 @@ void print_growth(const ComparisonFigures& figures, std::ostream& out) {
 }  // namespace
 
 std::string text_of(const ComparisonFigures& figures) {
-  std::ostringstream out;
+  TextOutput out;
   print_table(figures, out);
   print_notes(figures, out);
   print_growth(figures, out);

@@ -45,6 +45,18 @@ void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t 
                                    std::to_string(threads) + (threads == 1 ? " thread" : " threads"));
 }
 
+void tell_unlocked(const MatrixFile& file, const MatrixFile::Spec& spec, Observer& observer) {
+  if (file.is_locked()) return;
+  const std::string partial = spec.out.string() + ".partial";
+  observer.log(LogLevel::warning,
+               partial + " cannot be locked on this file system: meanwhile " + partial + "-lock keeps other runs away");
+}
+
+void tell_unfinished(const MatrixFile& file, const MatrixFile::Spec& spec, Observer& observer) {
+  observer.log(LogLevel::info, spec.out.string() + ".partial holds " + std::to_string(file.rows_done()) + " of " +
+                                   std::to_string(spec.rows) + " rows; " + observer.words(remedies::go_on()));
+}
+
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
                             const MatrixFile& file, std::span<const NamedPoint> sources, const TargetList& targets) {
   const auto read = [&](std::uint64_t row) { return file.read(row); };
@@ -102,26 +114,25 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
     throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
   }
   MatrixFile file = MatrixFile::open(spec, job.resume);
+  tell_unlocked(file, spec, observer);
   result.resumed_rows = file.rows_done();
-  if (!file.has(0)) file.write(0, row);
-  const RowSet rows = RowSet::all(spec.rows);
-  tell_plan(spec, result.bytes, missing_rows(rows, file).size(), result.first_row_seconds, threads, observer);
-
-  const Stopwatch watch;
   try {
+    if (!file.has(0)) file.write(0, row);
+    const RowSet rows = RowSet::all(spec.rows);
+    tell_plan(spec, result.bytes, missing_rows(rows, file).size(), result.first_row_seconds, threads, observer);
+    const Stopwatch watch;
     StageContext context("distances", observer, threads, job.settings.seed);
     compute_rows(rows, maker, file, threads, context);
-  } catch (const Cancelled&) {
-    observer.log(LogLevel::info, job.matrix.string() + ".partial holds " + std::to_string(file.rows_done()) + " of " +
-                                     std::to_string(spec.rows) + " rows; " + observer.words(remedies::go_on()));
+    result.seconds = watch.seconds() + result.first_row_seconds;
+    result.counters = maker.counters();
+    result.insertions = maker.insertions();
+    result.reach = count_reaches(job, surfaces, file, sources);
+    result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
+    file.finish();
+  } catch (...) {
+    tell_unfinished(file, spec, observer);
     throw;
   }
-  result.seconds = watch.seconds() + result.first_row_seconds;
-  result.counters = maker.counters();
-  result.insertions = maker.insertions();
-  result.reach = count_reaches(job, surfaces, file, sources);
-  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
-  file.finish();
   return result;
 }
 

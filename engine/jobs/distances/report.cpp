@@ -2,9 +2,9 @@
 #include "engine/jobs/distances/report.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include "engine/formats/text.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/report/memory.hpp"
 #include "engine/report/off_surface_text.hpp"
 #include "engine/report/provenance.hpp"
@@ -181,7 +181,7 @@ JobReport write_report(const RunRecord& record) {
                      {"prepare", record.solver.record.seconds},
                      {"total", record.total_seconds}};
   json["peak_memory_bytes"] = memory_peak();
-  std::ostringstream summary;
+  TextOutput summary;
   summarize(record, facts, sample ? &*sample : nullptr, summary);
   return {text_of(json), summary.str(), broken};
 }

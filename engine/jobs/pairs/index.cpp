@@ -4,6 +4,7 @@
 #include "engine/formats/remedies.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/output/index_file.hpp"
+#include "engine/output/posix_file.hpp"
 
 namespace geodrome {
 
@@ -20,7 +21,7 @@ std::unique_ptr<const PairOracle> make_oracle(const PreparedSolver& solver, std:
 /// A job that made the same file meanwhile was first: its file stays.
 void save(ReadyOracle& ready, const PreparedSolver& solver, const std::filesystem::path& index,
           const IndexIdentity& identity, Observer& observer) {
-  if (std::filesystem::exists(index)) {
+  if (file_exists(index)) {
     observer.log(LogLevel::warning, index.string() + " appeared while the index was built, and was left as it is");
     return;
   }
@@ -51,12 +52,12 @@ ReadyOracle ready_oracle(const SurfaceMesh& mesh, const PreparedSolver& solver, 
     return ready;
   }
   const IndexIdentity identity = identity_of(mesh, solver.plugin.info, solver.plugin.options, settings.seed);
-  ready.was_read = std::filesystem::exists(index);
+  ready.was_read = file_exists(index);
   const Stopwatch watch;
   if (ready.was_read) {
-    std::ifstream saved = open_index(index, identity);
+    TextInput saved = open_index(index, identity);
+    ready.index_bytes = saved.view().size();
     ready.oracle = make_oracle(solver, &saved, context);
-    ready.index_bytes = std::filesystem::file_size(index);
   } else {
     ready.oracle = make_oracle(solver, nullptr, context);
   }

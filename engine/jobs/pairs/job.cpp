@@ -10,6 +10,7 @@
 #include "engine/jobs/pairs/report.hpp"
 #include "engine/jobs/session_state.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/output/posix_file.hpp"
 #include "engine/report/off_surface_text.hpp"
 #include "engine/surface/selection.hpp"
 
@@ -23,7 +24,7 @@ void check_arguments(const PairJob& job) {
   if (job.out.empty()) throw OptionError("nothing to write", remedies::pairs_output());
   check_ending(job.out, Content::pairs);
   check_ending(job.report, Content::report);
-  const bool index_is_read = !job.index.empty() && std::filesystem::exists(job.index);
+  const bool index_is_read = !job.index.empty() && file_exists(job.index);
   std::vector<std::filesystem::path> read{job.input, job.pairs}, written{job.out, job.report};
   if (!job.index.empty()) (index_is_read ? read : written).push_back(job.index);
   check_outputs(written, read);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engine/jobs/pairs/report.hpp"
 
-#include <sstream>
-
+#include "engine/formats/text_stream.hpp"
 #include "engine/report/memory.hpp"
 #include "engine/report/off_surface_text.hpp"
 #include "engine/report/provenance.hpp"
@@ -83,7 +82,7 @@ void summarize_pairs(const PairJob& job, const PairDistances& d, std::ostream& o
 }
 
 std::string summary_of(const PairRecord& record, const SurfaceFacts& surface, const SampleReport* sample) {
-  std::ostringstream out;
+  TextOutput out;
   out.precision(4);
   summarize_provenance(record.start.input(), surface, record.solver, out);
   summarize(record.off_surface, out);

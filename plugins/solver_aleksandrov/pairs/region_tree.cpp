@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
+#include <mutex>
+#include <new>
 #include <string>
 #include <unordered_map>
 
@@ -52,6 +55,27 @@ DualGraph dual_graph(const Uses& uses, std::size_t faces) {
   return graph;
 }
 
+/// While METIS runs it takes SIGTERM and SIGABRT of the whole process for its own errors, and at its end it gives back
+/// the handlers that it found. So it runs once at a time, and a SIGTERM from outside waits till the program's own
+/// handler is back.
+class SignalsOfMetis {
+ public:
+  SignalsOfMetis() : one_at_a_time_(mutex_) {
+    sigset_t from_outside;
+    sigemptyset(&from_outside);
+    sigaddset(&from_outside, SIGTERM);
+    pthread_sigmask(SIG_BLOCK, &from_outside, &before_);
+  }
+  ~SignalsOfMetis() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  SignalsOfMetis(const SignalsOfMetis&) = delete;
+  SignalsOfMetis& operator=(const SignalsOfMetis&) = delete;
+
+ private:
+  static inline std::mutex mutex_;
+  const std::lock_guard<std::mutex> one_at_a_time_;
+  sigset_t before_;
+};
+
 /// Which half each face belongs to. The same on every run.
 std::vector<idx_t> halves(DualGraph graph) {
   idx_t count = static_cast<idx_t>(graph.first.size()) - 1, constraints = 1, parts = 2, cut = 0;
@@ -61,8 +85,10 @@ std::vector<idx_t> halves(DualGraph graph) {
   options[METIS_OPTION_SEED] = 1;
   options[METIS_OPTION_NCUTS] = 4;
   graph.neighbour.push_back(0);  // never read; METIS wants an array, even where there are no edges
+  const SignalsOfMetis signals;
   const int status = METIS_PartGraphRecursive(&count, &constraints, graph.first.data(), graph.neighbour.data(), nullptr,
                                               nullptr, nullptr, &parts, nullptr, nullptr, options, &cut, part.data());
+  if (status == METIS_ERROR_MEMORY) throw std::bad_alloc();
   if (status != METIS_OK)
     throw NumericalError("METIS could not cut the surface (status " + std::to_string(status) + ")");
   return part;

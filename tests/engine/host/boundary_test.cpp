@@ -94,5 +94,23 @@ TEST(Boundary, AScopeEndsWithItsPlugin) {
   EXPECT_EXIT(crash_after_scope(), ::testing::ExitedWithCode(1), "outside of any plugin");
 }
 
+TEST(Boundary, ALackOfMemoryIsARefusalThatNamesThePlugin) {
+  PluginInfo plugin;
+  plugin.stage = "solver", plugin.name = "large";
+  try {
+    cross_boundary(plugin, [] { throw std::bad_alloc(); });
+    FAIL() << "nothing was thrown";
+  } catch (const RefusedError& error) {
+    EXPECT_EQ(error.plugin(), "solver_large");
+    EXPECT_EQ(error.message(), "stage solver ran out of memory");
+  }
+}
+
+TEST(Boundary, ALackOfMemoryThatEndsTheProgramIsToldAsSuch) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto run_out = []() noexcept { std::rethrow_exception(std::make_exception_ptr(std::bad_alloc())); };
+  EXPECT_EXIT((install_crash_handlers(), run_out()), ::testing::ExitedWithCode(4), "geodrome: out of memory");
+}
+
 }  // namespace
 }  // namespace geodrome

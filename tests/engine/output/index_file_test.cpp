@@ -54,7 +54,7 @@ class IndexFile : public ::testing::Test {
 };
 
 TEST_F(IndexFile, GivesBackWhatWasSaved) {
-  std::ifstream in = open_index(file_, identity(*mesh_));
+  TextInput in = open_index(file_, identity(*mesh_));
   const std::string read{std::istreambuf_iterator<char>(in), {}};
   EXPECT_TRUE(read == payload_);
   EXPECT_EQ(size_, std::filesystem::file_size(file_));
@@ -62,7 +62,7 @@ TEST_F(IndexFile, GivesBackWhatWasSaved) {
 
 TEST_F(IndexFile, MayHoldNothing) {
   write_index(file_, identity(*mesh_), [](std::ostream&) {});
-  std::ifstream in = open_index(file_, identity(*mesh_));
+  TextInput in = open_index(file_, identity(*mesh_));
   EXPECT_EQ(in.peek(), std::ifstream::traits_type::eof());
 }
 

@@ -124,6 +124,19 @@ TEST_F(MatrixFileTest, IsWrittenByOneRunAtATime) {
             std::string::npos);
 }
 
+TEST_F(MatrixFileTest, IsLockedWhereThereAreLocks) { EXPECT_TRUE(MatrixFile::open(spec("d.npy"), false).is_locked()); }
+
+TEST_F(MatrixFileTest, DoesNotPublishAFileThatTookThePlaceOfItsOwn) {
+  const auto s = spec("d.npy");
+  MatrixFile matrix = MatrixFile::open(s, false);
+  write_missing(matrix, s);
+  fs::rename(partial_of(s), folder_ / "moved");
+  std::ofstream(partial_of(s)) << "somebody else's";
+  const std::string error = error_of([&] { matrix.finish(); });
+  EXPECT_NE(error.find("was removed or replaced"), std::string::npos) << error;
+  EXPECT_FALSE(fs::exists(s.out));
+}
+
 TEST_F(MatrixFileTest, RefusesWhatTheDiskCannotHoldAndLeavesNothing) {
   const std::uint64_t too_many = fs::space(folder_.path()).available / 8 / 1000 + 1000000;
   const std::string error = error_of([&] { MatrixFile::open(spec("d.npy", too_many, 1000), false); });

@@ -23,14 +23,19 @@ class PluginScope {
   const PluginInfo* previous_;
 };
 
+/// What to do where memory does not suffice.
+inline constexpr const char* out_of_memory_remedy = "ask for less, or use a machine with more memory";
+
 /// Installs handlers for SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT and std::terminate that write which plugin and stage
 /// was running on that thread (or else, for a thread that a plugin started, on any), and what to do, to standard error
-/// and end the process with status 5 (1 if no plugin was running). Also told are stack overflows on threads that enter
-/// plugins through `cross_boundary`. For programs, not for libraries: call it once in main.
+/// and end the process with status 5 (1 if no plugin was running; 4 for std::terminate where memory ran out). Also told
+/// are stack overflows on threads that enter plugins through `cross_boundary`. For programs, not for libraries: call it
+/// once in main.
 void install_crash_handlers() noexcept;
 
 /// Runs `function`, which calls into `plugin`: the only way the engine does so. A geodrome::Error keeps its type and
-/// gains the plugin's name; any other exception becomes a PluginError that says plugin, stage and what was thrown.
+/// gains the plugin's name; std::bad_alloc becomes a RefusedError, any other exception a PluginError, that says plugin,
+/// stage and what was thrown.
 template <class Function>
 decltype(auto) cross_boundary(const PluginInfo& plugin, Function&& function) {
   const PluginScope scope(plugin);
@@ -47,7 +52,9 @@ decltype(auto) cross_boundary(const PluginInfo& plugin, Function&& function) {
     error.attribute_to(plugin.full_name());
     throw;
   } catch (const std::bad_alloc&) {
-    throw fail("out of memory");
+    RefusedError error("stage " + plugin.stage + " ran out of memory", out_of_memory_remedy);
+    error.attribute_to(plugin.full_name());
+    throw error;
   } catch (const std::exception& error) {
     throw fail(error.what());
   } catch (...) {

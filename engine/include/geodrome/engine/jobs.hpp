@@ -107,8 +107,8 @@ struct CompareReport {
 /// that differ, one prepared solver, and rows of all targets per source.
 CompareReport run_compare(const CompareJob& job, Observer& observer);
 
-/// The exit status that stands for an error: 2 usage, 3 input or capability, 4 refused, 5 plugin, 130 cancelled,
-/// else 1.
+/// The exit status that stands for an error: 2 usage, 3 input, file system or capability, 4 refused or out of memory,
+/// 5 plugin, 130 cancelled, else 1.
 int exit_status(const std::exception& error) noexcept;
 
 }  // namespace geodrome

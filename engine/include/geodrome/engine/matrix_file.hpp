@@ -48,6 +48,9 @@ class MatrixFile final : public RowSink {
   /// Thread-safe.
   bool has(std::uint64_t row) const override;
   std::uint64_t rows_done() const;
+  /// False where the file system has no locks: then OUT.partial-lock keeps other processes away, which one that is
+  /// killed leaves.
+  bool is_locked() const;
 
   /// Writes one row; safe to call from several threads for different rows. Throws InputError (io), naming the file and
   /// the system's reason, e.g. when the disk is full; OptionError for a finite distance that float32 would turn into

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace geodrome {
+
+/// Streams in memory that throw std::bad_alloc. Those of the standard library swallow it and are at their end then:
+/// text would be cut off unnoticed where memory runs out.
+class TextInput : public std::istringstream {
+ public:
+  /// Precondition: begin <= text.size().
+  explicit TextInput(std::string text, std::size_t begin = 0) : std::istringstream(std::move(text)) {
+    exceptions(std::ios::badbit);
+    seekg(static_cast<std::streamoff>(begin));
+  }
+};
+
+class TextOutput : public std::ostringstream {
+ public:
+  explicit TextOutput(std::ios::openmode mode = std::ios::out) : std::ostringstream(mode) {
+    exceptions(std::ios::badbit);
+  }
+};
+
+}  // namespace geodrome
