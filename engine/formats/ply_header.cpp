@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/formats/soup.hpp"
+#include "engine/formats/text.hpp"
 
 namespace geodrome::input {
 namespace {
@@ -93,15 +94,18 @@ void check(const SourceFile& file, PlyHeader& header) {
     if (element.name == "tristrips" && element.count > 0)
       reject(file, InputFault::unsupported, "triangle strips are not read", "convert the file to faces");
     if (!element.properties.empty())
-      check_announced(file, "rows of '" + element.name + "'", element.count, element.least_bytes(header.encoding),
-                      file.bytes.size() - header.body_offset);
+      check_announced(file, "rows of " + input::quoted(element.name), element.count,
+                      element.least_bytes(header.encoding), file.bytes.size() - header.body_offset);
   }
 }
 
 std::string scalars_of(const PlyElement& element) {
+  constexpr std::size_t most = 10;
   std::string names;
+  std::size_t count = 0;
   for (const PlyProperty& property : element.properties)
-    if (!property.count_type) names += (names.empty() ? "'" : ", '") + property.name + "'";
+    if (!property.count_type && ++count <= most) append_word(names, input::quoted(property.name));
+  if (count > most) append_word(names, "...");
   return names.empty() ? "they have no numbers" : "their numbers are " + names;
 }
 
