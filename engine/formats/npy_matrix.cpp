@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "engine/formats/npy_matrix.hpp"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <charconv>
 #include <optional>
-#include <regex>
 
 #include "engine/formats/matrix_format.hpp"
 #include "engine/formats/source_file.hpp"
@@ -21,18 +22,44 @@ constexpr const char* remedy = "save a two-dimensional array of float64 or float
 /// More than any header holds, so that no memory is reserved on the word of a length.
 constexpr std::uint32_t longest_header = 1 << 16;
 
-/// A dimension; none if it is no number of 64 bits.
-std::optional<std::uint64_t> to_size(const std::string& digits) {
-  std::uint64_t size = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), size);
-  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
-  return size;
+void skip_blanks(std::string_view& text) {
+  text.remove_prefix(std::min(text.size(), text.find_first_not_of(" \t\r\n")));
 }
 
-/// The value that a header gives for a key, by a pattern with one group.
-std::string value_of(const std::string& header, const char* pattern) {
-  std::smatch match;
-  return std::regex_search(header, match, std::regex(pattern)) ? match[1].str() : "";
+/// Goes behind `sign` and the blanks before it; false, without a step, if another sign stands there.
+bool skip(std::string_view& text, char sign) {
+  std::string_view rest = text;
+  skip_blanks(rest);
+  if (!rest.starts_with(sign)) return false;
+  text = rest.substr(1);
+  return true;
+}
+
+/// What stands in a header behind a key and its colon; empty if the key is not there.
+std::string_view behind(std::string_view header, std::string_view key) {
+  for (std::size_t at = header.find(key); at != header.npos; at = header.find(key)) {
+    header.remove_prefix(at + key.size());
+    if (std::string_view rest = header; skip(rest, ':')) {
+      skip_blanks(rest);
+      return rest;
+    }
+  }
+  return {};
+}
+
+/// The two sizes of "(2, 3)"; none if it is no pair of numbers of 64 bits.
+std::optional<std::array<std::uint64_t, 2>> sizes_of(std::string_view shape) {
+  std::array<std::uint64_t, 2> sizes{};
+  if (!skip(shape, '(')) return std::nullopt;
+  for (std::uint64_t& size : sizes) {
+    skip_blanks(shape);
+    const auto [end, error] = std::from_chars(shape.data(), shape.data() + shape.size(), size);
+    if (error != std::errc()) return std::nullopt;
+    shape.remove_prefix(static_cast<std::size_t>(end - shape.data()));
+    if (!skip(shape, ',') && &size != &sizes.back()) return std::nullopt;
+  }
+  if (!skip(shape, ')')) return std::nullopt;
+  return sizes;
 }
 
 /// The little-endian number of `bytes` bytes at a place.
@@ -76,20 +103,20 @@ NpyMatrix::NpyMatrix(const std::filesystem::path& file) : file_(file), source_(f
 }
 
 void NpyMatrix::parse(const std::string& header) {
-  const std::string type = value_of(header, R"('descr'\s*:\s*'([^']*)')"),
-                    order = value_of(header, R"('fortran_order'\s*:\s*(True|False))"),
-                    shape = value_of(header, R"('shape'\s*:\s*(\([^)]*\)))");
-  if (order.empty() || shape.empty()) reject(InputFault::syntax, "its .npy header is damaged", remedy);
+  const std::string_view descr = behind(header, "'descr'"), order = behind(header, "'fortran_order'"),
+                         rest = behind(header, "'shape'"), shape = rest.substr(0, rest.find(')') + 1);
+  const bool fortran = order.starts_with("True");
+  if ((!fortran && !order.starts_with("False")) || !shape.starts_with('('))
+    reject(InputFault::syntax, "its .npy header is damaged", remedy);
+  const std::string_view type = descr.starts_with('\'') ? descr.substr(1, descr.find('\'', 1) - 1) : "";
   if (type != "<f8" && type != "<f4")
     reject(InputFault::unsupported,
            "its entries are " + (type.empty() ? "of a compound type" : input::quoted(type)) + ", not '<f8' or '<f4'",
            remedy);
-  if (order == "True") reject(InputFault::unsupported, "is in Fortran order", "save numpy.ascontiguousarray(it)");
-  std::smatch sizes;
-  const bool is_matrix = std::regex_match(shape, sizes, std::regex(R"(\(\s*(\d+)\s*,\s*(\d+)\s*,?\s*\))"));
-  const auto rows = is_matrix ? to_size(sizes[1]) : std::nullopt, columns = is_matrix ? to_size(sizes[2]) : rows;
-  if (!rows || !columns) reject(InputFault::unsupported, "has shape " + shape + ", which is no matrix", remedy);
-  rows_ = *rows, columns_ = *columns;
+  if (fortran) reject(InputFault::unsupported, "is in Fortran order", "save numpy.ascontiguousarray(it)");
+  const auto sizes = sizes_of(shape);
+  if (!sizes) reject(InputFault::unsupported, "has shape " + input::printable(shape) + ", which is no matrix", remedy);
+  rows_ = (*sizes)[0], columns_ = (*sizes)[1];
   scalar_ = type == "<f8" ? ScalarType::float64 : ScalarType::float32;
 }
 

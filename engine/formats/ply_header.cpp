@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/formats/soup.hpp"
+#include "engine/formats/text.hpp"
 
 namespace geodrome::input {
 namespace {
@@ -94,15 +95,18 @@ void check(const SourceFile& file, PlyHeader& header) {
     if (element.name == "tristrips" && element.count > 0 && count_role(element, PlyRole::strip) != 1)
       reject(file, InputFault::syntax, "triangle strips need one list named vertex_indices");
     if (!element.properties.empty())
-      check_announced(file, "rows of '" + element.name + "'", element.count, element.least_bytes(header.encoding),
-                      file.bytes.size() - header.body_offset);
+      check_announced(file, "rows of " + input::quoted(element.name), element.count,
+                      element.least_bytes(header.encoding), file.bytes.size() - header.body_offset);
   }
 }
 
 std::string scalars_of(const PlyElement& element) {
+  constexpr std::size_t most = 10;
   std::string names;
+  std::size_t count = 0;
   for (const PlyProperty& property : element.properties)
-    if (!property.count_type) names += (names.empty() ? "'" : ", '") + property.name + "'";
+    if (!property.count_type && ++count <= most) append_word(names, input::quoted(property.name));
+  if (count > most) append_word(names, "...");
   return names.empty() ? "they have no numbers" : "their numbers are " + names;
 }
 

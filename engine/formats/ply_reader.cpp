@@ -25,8 +25,8 @@ class TextValues {
   void start_row(const PlyElement& element, std::uint64_t row) {
     if (!lines_.seek())
       reject(file_, InputFault::truncated,
-             "the file ends after " + std::to_string(row) + " of " + std::to_string(element.count) + " rows of '" +
-                 element.name + "'");
+             "the file ends after " + std::to_string(row) + " of " + std::to_string(element.count) + " rows of " +
+                 input::quoted(element.name));
     rows_.begin(lines_);
   }
   void end_row() { rows_.end(lines_); }
@@ -104,7 +104,7 @@ class BinaryValues {
   Number value() {
     if (static_cast<std::size_t>(end_ - at_) < sizeof(Number))
       reject(file_, InputFault::truncated,
-             "the file ends inside row " + std::to_string(row_) + " of '" + element_->name + "', of " +
+             "the file ends inside row " + std::to_string(row_) + " of " + input::quoted(element_->name) + ", of " +
                  std::to_string(element_->count));
     const Number number = load<Number>(at_, order_);
     at_ += sizeof(Number);
@@ -124,7 +124,7 @@ void read_list(const SourceFile& file, const PlyHeader& header, const PlyPropert
   const long long length = values.integer(*property.count_type);
   if (length < 0)
     reject(file, InputFault::syntax,
-           "the list '" + property.name + "' of row " + std::to_string(row) + " has a negative length");
+           "the list " + input::quoted(property.name) + " of row " + std::to_string(row) + " has a negative length");
   std::optional<StripReader> strip;
   if (property.role == PlyRole::strip) strip.emplace(file, row, header.vertex_count, soup);
   for (long long i = 0; i < length; ++i) {
@@ -158,10 +158,10 @@ void note_unused_weights(const PlyHeader& header, Soup& soup) {
           is_called_weight(property.name))
         soup.findings.push_back({Finding::Severity::note,
                                  "weights_not_used",
-                                 "The faces have a property '" + property.name + "', which was not used.",
+                                 "The faces have a property " + input::quoted(property.name) + ", which was not used.",
                                  element.count,
                                  {},
-                                 remedies::use_weights(property.name)});
+                                 remedies::use_weights(printable(property.name))});
 }
 
 template <class Values>

@@ -27,6 +27,8 @@ std::string content_hash(std::string_view bytes);
 [[noreturn]] void reject(const SourceFile& file, InputFault fault, const std::string& what, Remedy remedy = {});
 
 /// Text of a file as it may be shown in a message: short, in one line, printable.
+std::string printable(std::string_view text);
+/// As `printable`, in quotes.
 std::string quoted(std::string_view text);
 
 }  // namespace geodrome::input

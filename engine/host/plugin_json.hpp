@@ -16,9 +16,16 @@ inline nlohmann::json json_number(double value) {
   return value > 0 ? "inf" : "-inf";
 }
 
+/// Throws nlohmann's exceptions for what `json_number` did not write.
 inline double number_from_json(const nlohmann::json& json) {
   if (json.is_number()) return json.get<double>();
-  return json.get<std::string>() == "inf" ? infinity : -infinity;
+  const auto sign = nlohmann::json{{"inf", 1}, {"-inf", -1}}.at(json.get<std::string>()).get<int>();
+  return sign * infinity;
+}
+
+/// Throws nlohmann's exceptions for what is no whole number >= 0, which a cast would turn into one.
+inline std::uint64_t whole_from_json(const nlohmann::json& json) {
+  return json.get_ref<const nlohmann::json::number_unsigned_t&>();
 }
 
 inline void to_json(nlohmann::json& json, const OptionInfo& option) {
@@ -34,7 +41,7 @@ inline void to_json(nlohmann::json& json, const OptionInfo& option) {
 
 inline void from_json(const nlohmann::json& json, OptionInfo& option) {
   json.at("name").get_to(option.name);
-  option.type = static_cast<OptionType>(json.at("type").get<std::uint32_t>());
+  option.type = static_cast<OptionType>(whole_from_json(json.at("type")));
   json.at("default").get_to(option.default_value);
   option.minimum = number_from_json(json.at("minimum"));
   option.maximum = number_from_json(json.at("maximum"));
@@ -60,8 +67,8 @@ inline void from_json(const nlohmann::json& json, PluginInfo& plugin) {
   json.at("name").get_to(plugin.name);
   json.at("summary").get_to(plugin.summary);
   json.at("licence").get_to(plugin.licence);
-  plugin.needs = Needs{json.at("needs").get<std::uint64_t>()};
-  plugin.provides = Provides{json.at("provides").get<std::uint64_t>()};
+  plugin.needs = Needs{whole_from_json(json.at("needs"))};
+  plugin.provides = Provides{whole_from_json(json.at("provides"))};
   plugin.default_factor = number_from_json(json.at("default_factor"));
   json.at("options").get_to(plugin.options);
 }

@@ -4,7 +4,6 @@
 #include <cstdlib>
 #include <cstring>
 
-#include "engine/host/child.hpp"
 #include "engine/host/installed.hpp"
 #include "engine/host/plugin_json.hpp"
 #include "geodrome/abi.hpp"
@@ -36,21 +35,22 @@ std::string shown(double seconds) {
   return text + " s";
 }
 
-/// Takes the answer of `geodrome-vet` apart. Throws nlohmann's exceptions for what is no answer.
+}  // namespace
+
 std::variant<PluginInfo, PluginRefusal> read_answer(const fs::path& file, const ChildEnd& end) {
   const nlohmann::json answer = nlohmann::json::parse(end.out);
-  if (answer.at("interface_version") != interface_version || answer.at("build_tag") != build_tag)
-    throw PluginError("geodrome-vet beside the engine was built for interface version " +
-                          answer.at("interface_version").dump() + " as " + answer.at("build_tag").dump() +
-                          ", the engine for version " + std::to_string(interface_version) + " as \"" + build_tag + '"',
+  const std::uint64_t version = whole_from_json(answer.at("interface_version"));
+  const std::string tag = answer.at("build_tag").get<std::string>();
+  if (version != interface_version || tag != build_tag)
+    throw PluginError("geodrome-vet beside the engine was built for interface version " + std::to_string(version) +
+                          " as \"" + tag + "\", the engine for version " + std::to_string(interface_version) +
+                          " as \"" + build_tag + '"',
                       "install both from the same build");
   if (end.status != 0) return PluginRefusal{file, answer.at("refused").get<std::string>()};
   PluginInfo info = answer.at("plugin").get<PluginInfo>();
   info.file = file;
   return info;
 }
-
-}  // namespace
 
 std::variant<PluginInfo, PluginRefusal> vet(const fs::path& file) {
   const double seconds = limit_in_seconds();

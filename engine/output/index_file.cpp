@@ -15,6 +15,7 @@
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
 #include "engine/formats/source_file.hpp"
+#include "engine/formats/text.hpp"
 #include "engine/formats/text_stream.hpp"
 #include "engine/output/atomic_file.hpp"
 
@@ -48,24 +49,26 @@ std::string text_of(const IndexIdentity& identity) {
 /// Throws nlohmann's exceptions for a text that `text_of` did not write.
 IndexIdentity identity_from(const std::string& text) {
   const Json json = Json::parse(text);
+  const auto whole = [&](const char* name) { return json.at(name).get_ref<const Json::number_unsigned_t&>(); };
   IndexIdentity identity;
   json.at("solver").get_to(identity.solver), json.at("options").get_to(identity.options);
-  json.at("seed").get_to(identity.seed), json.at("mesh").get_to(identity.mesh);
-  json.at("vertices").get_to(identity.vertices), json.at("faces").get_to(identity.faces);
+  json.at("mesh").get_to(identity.mesh);
+  identity.seed = whole("seed"), identity.vertices = whole("vertices"), identity.faces = whole("faces");
   return identity;
 }
 
 std::string mesh_text(const IndexIdentity& identity) {
   return std::to_string(identity.vertices) + " vertices, " + std::to_string(identity.faces) + " faces, hash " +
-         identity.mesh;
+         input::printable(identity.mesh);
 }
 
 std::string option_differences(const IndexIdentity& was, const IndexIdentity& is) {
   std::string text;
+  constexpr int most = 8;
+  int told = 0;
   const auto add = [&](const std::string& name, const std::string& old, const std::string& now) {
-    if (old == now) return;
-    if (!text.empty()) text += ", ";
-    text.append(name).append(" was ").append(old).append(" and is ").append(now);
+    if (old == now || ++told > most) return;
+    append_word(text, input::printable(name) + " was " + input::printable(old) + " and is " + input::printable(now));
   };
   const auto value = [](const IndexIdentity& identity, const std::string& name) {
     const auto found = identity.options.find(name);
@@ -74,7 +77,7 @@ std::string option_differences(const IndexIdentity& was, const IndexIdentity& is
   std::map<std::string, std::string> names = was.options;
   names.insert(is.options.begin(), is.options.end());
   for (const auto& [name, ignored] : names) add(name, value(was, name), value(is, name));
-  return text;
+  return told > most ? text + ", ..." : text;
 }
 
 /// The bytes of a file, of which there may be none.
@@ -101,8 +104,8 @@ class Reader {
   void demand_same(const IndexIdentity& now) const {
     const std::string mine = "remove it, or name another file";
     if (identity_.solver != now.solver)
-      refuse(InputFault::unsupported, "is the index of another solver: " + identity_.solver + ", not " + now.solver,
-             mine);
+      refuse(InputFault::unsupported,
+             "is the index of another solver: " + input::printable(identity_.solver) + ", not " + now.solver, mine);
     if (const std::string what = option_differences(identity_, now); !what.empty())
       refuse(InputFault::unsupported, "is the index of " + now.solver + " with other options: " + what, mine);
     if (mesh_text(identity_) != mesh_text(now))

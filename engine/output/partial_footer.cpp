@@ -19,10 +19,13 @@
 namespace geodrome {
 namespace {
 
+using nlohmann::json;
+
 static_assert(std::endian::native == std::endian::little, "matrix files are written in the machine's own byte order");
 
 constexpr std::array<char, 8> magic = {'G', 'E', 'O', 'D', 'R', 'O', 'M', 'E'};
 constexpr std::uint32_t footer_version = 1;
+constexpr int most_differences = 8;  // that a message tells
 
 struct Trailer {
   std::array<char, 8> magic;
@@ -39,7 +42,7 @@ std::uint64_t checksum_of(const Trailer& trailer) { return XXH3_64bits(&trailer,
 std::optional<MatrixFile::Spec> spec_of(const std::array<char, sizeof(Trailer)>& bytes, std::uint64_t file_size) {
   const auto trailer = std::bit_cast<Trailer>(bytes);
   if (trailer.magic != magic || trailer.version != footer_version || trailer.checksum != checksum_of(trailer) ||
-      trailer.fingerprint_bytes > file_size)
+      trailer.fingerprint_bytes > file_size || (trailer.scalar_bytes != 8 && trailer.scalar_bytes != 4))
     return std::nullopt;
   MatrixFile::Spec spec;
   spec.rows = trailer.rows, spec.columns = trailer.columns;
@@ -48,22 +51,47 @@ std::optional<MatrixFile::Spec> spec_of(const std::array<char, sizeof(Trailer)>&
   return spec;
 }
 
+/// Nothing where no file can hold a matrix of that shape.
+std::optional<DenseLayout> possible_layout(const DenseFormat& format, const MatrixFile::Spec& spec) {
+  try {
+    return layout_of(format, spec);
+  } catch (const RefusedError&) {
+    return std::nullopt;
+  }
+}
+
 [[noreturn]] void refuse_damaged(const PosixFile& file) {
   throw RefusedError(file.path().string() + " is damaged, or no unfinished matrix", remedies::start_anew("remove it"));
 }
 
-std::string shortened(const std::string& text) {
+/// Fit to show, whatever the file holds.
+std::string shortened(std::string text) {
   constexpr std::size_t limit = 60;
-  return text.size() <= limit ? text : text.substr(0, limit - 3) + "...";
+  if (text.size() > limit) text = text.substr(0, limit - 3) + "...";
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7F') c = '?';
+  return text;
 }
 
 void add_difference(std::string& text, const std::string& what, const std::string& was, const std::string& is) {
-  append_word(text, what + " was " + shortened(was) + " and is " + shortened(is));
+  append_word(text, shortened(what) + " was " + shortened(was) + " and is " + shortened(is));
+}
+
+/// A fingerprint as JSON. Null if it is none or nests deeper than any that is written: members are compared by
+/// recursion.
+json parsed(const std::string& fingerprint) {
+  constexpr int deepest = 20;
+  bool too_deep = false;
+  const auto watch = [&](int depth, json::parse_event_t, json&) {
+    too_deep |= depth > deepest;
+    return !too_deep;
+  };
+  const json value = json::parse(fingerprint, watch, false);
+  return too_deep ? json() : value;
 }
 
 std::string fingerprint_differences(const std::string& stored, const std::string& now) {
-  using nlohmann::json;
-  const json a = json::parse(stored, nullptr, false), b = json::parse(now, nullptr, false);
+  const json a = parsed(stored), b = parsed(now);
   std::string text;
   if (!a.is_object() || !b.is_object()) {
     add_difference(text, "the fingerprint", stored, now);
@@ -76,8 +104,12 @@ std::string fingerprint_differences(const std::string& stored, const std::string
   const auto shown = [](const json& values, const std::string& member) {
     return values.contains(member) ? values[member].dump(-1, ' ', false, json::error_handler_t::replace) : "absent";
   };
-  for (const std::string& member : members)
-    if (shown(was, member) != shown(is, member)) add_difference(text, member, shown(was, member), shown(is, member));
+  int told = 0;
+  for (const std::string& member : members) {
+    if (shown(was, member) == shown(is, member)) continue;
+    if (told++ == most_differences) return text + ", ...";
+    add_difference(text, member, shown(was, member), shown(is, member));
+  }
   return text;
 }
 
@@ -117,10 +149,10 @@ std::optional<MatrixFile::Spec> read_footer(const PosixFile& file, const DenseFo
 
   std::optional<MatrixFile::Spec> spec = spec_of(last, size);
   if (!spec) refuse_damaged(file);
-  const DenseLayout layout = layout_of(format, *spec);
-  if (layout.end() != size) refuse_damaged(file);
+  const std::optional<DenseLayout> layout = possible_layout(format, *spec);
+  if (!layout || layout->end() != size) refuse_damaged(file);
   std::string& fingerprint = spec->fingerprint;
-  file.read_at(layout.fingerprint(), fingerprint.data(), fingerprint.size());
+  file.read_at(layout->fingerprint(), fingerprint.data(), fingerprint.size());
   if (XXH3_64bits(fingerprint.data(), fingerprint.size()) != std::bit_cast<Trailer>(last).fingerprint_checksum)
     refuse_damaged(file);
   return spec;
@@ -144,8 +176,9 @@ void restore_footer(const PosixFile& file, const DenseFormat& format, const std:
   std::copy(footer.end() - last.size(), footer.end(), last.begin());
   const std::optional<MatrixFile::Spec> spec = spec_of(last, footer.size());
   if (!spec) return;
-  const DenseLayout layout = layout_of(format, *spec);
-  const std::uint64_t begin = layout.footer(), end = layout.end();
+  const std::optional<DenseLayout> layout = possible_layout(format, *spec);
+  if (!layout) return;
+  const std::uint64_t begin = layout->footer(), end = layout->end();
   if (footer.size() != end - begin || file.size() < begin || file.size() > end) return;
   file.write_at(begin, footer.data(), footer.size());
   file.sync();

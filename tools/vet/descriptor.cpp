@@ -29,6 +29,8 @@ void check_stage(const std::string& stage) {
   throw PluginError("its stage '" + stage + "' is none of tangent, control, decimator, reconstructor, solver");
 }
 
+constexpr double largest_whole = 9007199254740992;  // 2^53
+
 OptionInfo option_info(const OptionSpec& spec) {
   OptionInfo info;
   info.name = text(spec.name, "the name of an option");
@@ -39,7 +41,12 @@ OptionInfo option_info(const OptionSpec& spec) {
   info.default_value = text(spec.default_value, what + "the default");
   info.minimum = spec.minimum, info.maximum = spec.maximum;
   if (!(spec.minimum <= spec.maximum)) throw PluginError(what + "the range is empty");
+  const bool whole = spec.type == OptionType::integer;
+  if (whole && (spec.minimum < -largest_whole || spec.maximum > largest_whole))
+    throw PluginError(what + "whole numbers beyond 2^53 are not exact");
   info.choices = text(spec.choices, what + "the list of choices");
+  if (spec.type == OptionType::boolean && info.choices != "on|off")
+    throw PluginError(what + "is on or off, nothing else");
   info.unit = text(spec.unit, what + "the unit");
   info.help = text(spec.help, what + "the help");
   return info;

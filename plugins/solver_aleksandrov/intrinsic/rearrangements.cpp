@@ -94,7 +94,7 @@ void Rearrangements::restore(const Piece& way, std::vector<Piece>& out) const {
 /// Where a way crosses the edge that was there before, it is cut in two.
 void Rearrangements::restore_flip(const Rearrangement& change, const Rearrangement::Piece& there, const Piece& way,
                                   std::vector<Piece>& out) const {
-  const auto& [first, second] = change.before;
+  const Rearrangement::Piece &first = change.before[0], &second = change.before[1];
   const Triangle2 here = layout_of(change, there);
   const Point2 a = change.points[0], along = change.points[1] - a;
   const Point2 p = place(here, way.from), q = place(here, way.to);

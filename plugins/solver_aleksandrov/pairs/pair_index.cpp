@@ -63,14 +63,15 @@ void write(std::ostream& out, const std::vector<T>& values) {
   throw InputError(InputFault::syntax, "the saved pair index is cut off, damaged or of another mesh", "make it anew");
 }
 
-/// In pieces, so that a wrong count fails at the end of the file and not for lack of memory.
+/// In pieces, none larger than what was there before it, so that a wrong count fails at the end of the file and not for
+/// lack of memory.
 template <class T>
 void read(std::istream& in, std::vector<T>& values) {
   std::uint64_t count = 0;
   if (!in.read(reinterpret_cast<char*>(&count), sizeof count)) damaged();
-  constexpr std::uint64_t piece = std::uint64_t{1} << 20;
+  constexpr std::uint64_t first_piece = 1 << 10;
   for (std::uint64_t got = 0; got < count; got = values.size()) {
-    const std::uint64_t more = std::min(piece, count - got);
+    const std::uint64_t more = std::min(std::max(first_piece, got), count - got);
     values.resize(got + more);
     if (!in.read(reinterpret_cast<char*>(values.data() + got), static_cast<std::streamsize>(more * sizeof(T))))
       damaged();
@@ -161,7 +162,7 @@ PairIndex::PairIndex(const SurfaceMesh& mesh, std::istream& in) {
   check(mesh);
 }
 
-/// Whatever stands in the file, no query may reach beyond the tables.
+/// Whatever stands in the file, no query may reach beyond the tables or take what is no distance for one.
 void PairIndex::check(const SurfaceMesh& mesh) const {
   if (leaf_.size() != mesh.vertex_count() || first_.size() != leaf_.size() + 1 || first_[0] != 0) damaged();
   for (Index r = 0; r < regions_.size(); ++r) {
@@ -177,6 +178,8 @@ void PairIndex::check(const SurfaceMesh& mesh) const {
     if (first_[v + 1] - first_[v] != (leaf_[v] == no_index ? 0 : regions_[leaf_[v]].last)) damaged();
   }
   if (first_.back() != distance_.size()) damaged();
+  for (const float distance : distance_)
+    if (!(distance >= 0)) damaged();
 }
 
 }  // namespace geodrome::aleksandrov

@@ -20,9 +20,9 @@ std::string entries(std::initializer_list<Number> values) {
 
 /// A file of format version 1 with this dictionary.
 std::string npy(const std::string& dictionary, const std::string& bytes, char version = 1) {
-  const std::size_t length_bytes = version == 1 ? 2 : 4;
-  std::string text = std::string("\x93NUMPY") + version + '\0' + static_cast<char>(dictionary.size());
-  return text + std::string(length_bytes - 1, '\0') + dictionary + bytes;
+  std::string text = std::string("\x93NUMPY") + version + '\0';
+  text += static_cast<char>(dictionary.size() & 0xff), text += static_cast<char>(dictionary.size() >> 8);
+  return text + std::string(version == 1 ? 0 : 2, '\0') + dictionary + bytes;
 }
 
 class NpyReader : public ::testing::Test {
@@ -72,6 +72,24 @@ TEST_F(NpyReader, RefusesOtherTypesOrdersAndDimensions) {
   expect_refused(with("(2, 3)", "(1, 2, 3)"), InputFault::unsupported, "(1, 2, 3)");
   expect_refused(with("(2, 3)", "()"), InputFault::unsupported, "()");
   expect_refused(with("(2, 3)", "(99999999999999999999, 3)"), InputFault::unsupported, "shape");
+}
+
+TEST_F(NpyReader, TakesHeadersOfAnyLengthAndShowsTheirStart) {
+  const std::string blanks(60'000, ' '), many(60'000, '1');
+  EXPECT_EQ(open(npy("{'descr':" + blanks + "'<f8', 'fortran_order': False, 'shape': (2, 3), }", six_)).rows(), 2u);
+  expect_refused(npy("{'descr': '" + many + "', 'fortran_order': False, 'shape': (2, 3), }", six_),
+                 InputFault::unsupported, "1111...'");
+  expect_refused(npy("{'descr': '<f8', 'fortran_order': False, 'shape': (" + many + ", 3), }", six_),
+                 InputFault::unsupported, "1111..., which is no matrix");
+}
+
+TEST_F(NpyReader, TakesKeysForKeysOnly) {
+  expect_refused(npy("{'descr': [('shape', '<f8')], 'fortran_order': False, 'shape': (2, 3), }", six_),
+                 InputFault::unsupported, "compound");
+  EXPECT_EQ(open(npy("{'shape' : ( 2 , 3 , ) , 'fortran_order' : False , 'descr' : '<f8'}", six_)).columns(), 3u);
+  for (const std::string shape : {"(2, 3", "(2 3)", "(2, 3, 4)", "(-2, 3)", "2, 3"})
+    EXPECT_TRUE(error_of([&] { open(npy("{'descr': '<f8', 'fortran_order': False, 'shape': " + shape, six_)); }))
+        << shape;
 }
 
 TEST_F(NpyReader, RefusesWhatIsNoneOrHasNotItsBytes) {

@@ -90,6 +90,16 @@ TEST_F(IndexFile, IsRefusedIfThePluginHasOtherOptionsNow) {
   expect_refusal(now, InputFault::unsupported, "mode was on and is absent");
 }
 
+TEST_F(IndexFile, IsRefusedInOneShortLineWhateverItSaysOfItself) {
+  IndexIdentity other = identity(*mesh_);
+  for (int i = 0; i < 500; ++i) other.options["\x1B" + std::to_string(i)] = std::string(500, '\n');
+  write_index(file_, other, [](std::ostream&) {});
+  const auto error = error_of([&] { open_index(file_, identity(*mesh_)); });
+  ASSERT_TRUE(error);
+  EXPECT_LT(std::string(error->what()).size(), 1500u);
+  EXPECT_EQ(std::string(error->what()).find_first_of("\x1B\n"), std::string::npos) << error->what();
+}
+
 TEST_F(IndexFile, IsRefusedForAnotherMesh) {
   expect_refusal(identity(*plane_grid(4)), InputFault::unsupported, "16 vertices, 18 faces");
   const MeshPtr moved = mapped(mesh_, [](const Vec3& p) { return p.x == 1 ? p + Vec3{0, 0, 1e-15} : p; });

@@ -159,6 +159,23 @@ TEST_F(MatrixFileResumeTest, ShortensLongValuesOfTheFingerprint) {
   EXPECT_LT(error_of([&] { MatrixFile::open(s, true); }).size(), 500u);
 }
 
+TEST_F(MatrixFileResumeTest, ShowsADifferentFingerprintInOneShortLineWhateverIsInIt) {
+  std::string many = "{";
+  for (int i = 0; i < 500; ++i) many += '"' + std::to_string(i) + "\":1,";
+  const std::string deep(100'000, '[');
+  for (const std::string& fingerprint : {many + "\"\u001b\":2}", std::string("\x1B[2J\n"), "{\"a\":" + deep,
+                                         "{\"a\":" + deep + std::string(deep.size(), ']') + "}"}) {
+    auto s = spec("d.npy");
+    s.fingerprint = fingerprint;
+    begin(s, 2);
+    s.fingerprint = spec("d.npy").fingerprint;
+    const std::string error = error_of([&] { MatrixFile::open(s, true); });
+    EXPECT_NE(error.find("was started by a different run"), std::string::npos) << error;
+    EXPECT_LT(error.size(), 1500u);
+    EXPECT_EQ(error.find_first_of("\x1B\n"), std::string::npos) << error;
+  }
+}
+
 TEST_F(MatrixFileResumeTest, SaysThatTheShapeDiffers) {
   begin(spec("d.npy", 5, 7), 2);
   const std::string error = error_of([&] { MatrixFile::open(spec("d.npy", 6, 7), true); });

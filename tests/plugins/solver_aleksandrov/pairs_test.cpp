@@ -162,6 +162,17 @@ TEST_F(PairBounds, AreRefusedWithADetourThatIsNoLength) {
   }
 }
 
+TEST_F(PairBounds, AreRefusedWithADistanceThatIsNone) {
+  std::stringstream file;
+  index_.save(file);
+  for (const float distance : {-1.0f, std::numeric_limits<float>::quiet_NaN()}) {
+    std::string bad = file.str();
+    std::memcpy(bad.data() + bad.size() - sizeof distance, &distance, sizeof distance);
+    std::istringstream in(bad);
+    EXPECT_THROW(PairIndex(*mesh_, in), InputError) << distance;
+  }
+}
+
 /// An oracle and the surface it answers for.
 struct Oracle {
   Oracle(const MeshPtr& mesh, double delta)
