@@ -36,7 +36,9 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   constexpr const char *start = "the start of the path", *end = "the end of the path";
   const Selection from = parse_end(job.from, start), to = parse_end(job.to, end);
   const Session session(job.input, job.settings, observer, Provides::paths);
-  const PathResult path = session.path(end_of(from, start, session), end_of(to, end, session), job.query);
+  const NamedPoint first = end_of(from, start, session), last = end_of(to, end, session);
+  PathResult path = session.path(first, last, job.query);
+  path.broken_promises = session.audit_path(first, last, path, job.query);
   if (!job.out.empty()) write_atomically(job.out, format_to_write(job.out, Content::path).write_path(path));
   return path;
 }

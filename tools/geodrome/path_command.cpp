@@ -19,7 +19,7 @@ int write_path(const PathArguments& arguments) {
   else
     std::cout << "distance " << path.distance << ", path of " << path.points.size() << " points, length " << path.length
               << "\n";
-  return 0;
+  return tell_broken_promises(path.broken_promises, arguments.job.settings.stages.solver);
 }
 
 }  // namespace

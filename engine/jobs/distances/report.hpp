@@ -19,7 +19,7 @@ struct RunRecord {
   std::size_t source_count = 0, target_count = 0;
   std::optional<MatrixResult> matrix;
   std::optional<NearestResult> nearest;
-  AuditSummary audit;
+  AuditSummary audit;  ///< of the matrix
   double total_seconds = 0;
 };
 

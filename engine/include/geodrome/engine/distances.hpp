@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "geodrome/surface.hpp"
@@ -31,6 +32,7 @@ struct PathResult {
   double length = 0;    ///< of the polyline, weighted by the faces that it crosses if they have weights
   std::vector<SurfacePoint> points;
   std::vector<Vec3> positions;
+  std::vector<std::string> broken_promises;  ///< what `run_path` found in its audit; of a session empty
 };
 
 }  // namespace geodrome
