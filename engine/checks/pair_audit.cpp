@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/checks/rounding_scale.hpp"
-#include "engine/search/prepared_solver.hpp"
+#include "engine/search/distances.hpp"
 
 namespace geodrome {
 
@@ -43,7 +43,7 @@ double searched(const PreparedSolver& solver, Search& search, const NamedPair& p
 }  // namespace
 
 PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std::span<const NamedPair> pairs,
-                      std::span<const double> values, RunContext& context) {
+                      std::span<const double> values, RunContext& context, bool bounded) {
   const double factor = solver.plugin.factor;
   PairAudit result;
   if (!std::isfinite(factor)) {
@@ -59,10 +59,13 @@ PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std
   scale.points(mesh.positions());
   double worst = 0;
   for (const std::size_t i : chosen) {
-    const double found = searched(solver, *search, pairs[i], context);
-    const double violation = std::max(values[i] - factor * found, found - factor * values[i]);
     scale.distances({&values[i], 1});
-    if (violation > worst) worst = violation, result.worst_pair = i;
+    for (const NamedPair& pair : {pairs[i], NamedPair{pairs[i].to, pairs[i].from}}) {
+      if (!can_be_judged(solver, pair)) continue;
+      const double found = DistanceRule{bounded}(searched(solver, *search, pair, context), pair.from, pair.to);
+      const double violation = std::max(values[i] - factor * found, found - factor * values[i]);
+      if (violation > worst) worst = violation, result.worst_pair = i;
+    }
   }
   if (scale.value() > 0) result.worst = worst / scale.value();
   return result;

@@ -24,9 +24,9 @@ struct PairAudit {
 };
 
 /// Searches by the same solver, without its oracle, for up to three pairs (the first, the middle, the last of those
-/// that are reached and of which a factor is promised). `values`: surface distances, one a pair. Throws what the solver
-/// throws.
+/// that are reached and of which a factor is promised), from either end where the solver can. `values`: surface
+/// distances, one a pair; `bounded`: or, if longer, the straight line. Throws what the solver throws.
 PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std::span<const NamedPair> pairs,
-                      std::span<const double> values, RunContext& context);
+                      std::span<const double> values, RunContext& context, bool bounded = false);
 
 }  // namespace geodrome

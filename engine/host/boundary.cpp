@@ -11,6 +11,8 @@
 #include <exception>
 #include <new>
 
+#include "engine/host/crash_words.hpp"
+
 namespace geodrome {
 namespace {
 
@@ -18,6 +20,10 @@ namespace {
 __attribute__((tls_model("initial-exec"))) thread_local const PluginInfo* running = nullptr;
 
 std::atomic<bool> handlers_installed{false};
+
+/// Where the words on a crash go; null: to standard error. Set before handlers are installed.
+char* crash_words = nullptr;
+std::size_t crash_words_size = 0;
 
 /// What runs on any thread, so that a crash on a thread that a plugin started itself finds its plugin too: a few slots,
 /// claimed by outermost scopes. A scope that finds none free goes without.
@@ -65,8 +71,16 @@ void provide_handler_stack() noexcept {
   sigaltstack(&stack, nullptr);
 }
 
+/// Appends as much as there is room for.
+void note(const char* text) noexcept {
+  std::size_t length = std::strlen(crash_words);
+  while (*text != '\0' && length + 1 < crash_words_size) crash_words[length++] = *text++;
+  crash_words[length] = '\0';
+}
+
 /// Async-signal-safe: nothing here allocates or locks.
 void say(const char* text) noexcept {
+  if (crash_words != nullptr) return note(text);
   for (std::size_t left = std::strlen(text); left > 0;) {
     const ssize_t count = write(STDERR_FILENO, text, left);
     if (count < 0 && errno == EINTR) continue;
@@ -77,16 +91,19 @@ void say(const char* text) noexcept {
 
 [[noreturn]] void end_with_message(const char* what, const char* detail) noexcept {
   const PluginInfo* plugin = suspect();
+  const bool to_people = crash_words == nullptr;
+  if (to_people) say("geodrome: ");
   if (plugin == nullptr) {
-    for (const char* part : {"geodrome: ", what, detail, " outside of any plugin; please report this\n"}) say(part);
-    _exit(1);
+    for (const char* part : {what, detail, " outside of any plugin; please report this"}) say(part);
+  } else {
+    const char* stage = plugin->stage.c_str();
+    for (const char* part : {"plugin ", stage, "_", plugin->name.c_str(), " (stage ", stage, ") ", what, detail,
+                             " while computing; choose another ", stage, " plugin or report this to its author (",
+                             plugin->file.c_str(), ")"})
+      say(part);
   }
-  const char* stage = plugin->stage.c_str();
-  for (const char* part : {"geodrome: plugin ", stage, "_", plugin->name.c_str(), " (stage ", stage, ") ", what, detail,
-                           " while computing; choose another ", stage, " plugin or report this to its author (",
-                           plugin->file.c_str(), ")\n"})
-    say(part);
-  _exit(5);
+  if (to_people) say("\n");
+  _exit(plugin == nullptr ? 1 : 5);
 }
 
 const char* signal_name(int signal) noexcept {
@@ -146,6 +163,12 @@ void install_crash_handlers() noexcept {
   action.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);
   sigemptyset(&action.sa_mask);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) sigaction(signal, &action, nullptr);
+}
+
+void tell_crashes_to(char* words, std::size_t size) noexcept {
+  words[0] = '\0';
+  crash_words = words, crash_words_size = size;
+  install_crash_handlers();
 }
 
 }  // namespace geodrome

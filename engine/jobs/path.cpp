@@ -39,7 +39,8 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   const Session session(job.input, job.settings, observer, Provides::paths);
   const std::vector<NamedPoint> first = end_of(from, start, session), last = end_of(to, end, session);
   tell_off_surface(session.input(), session.surface(), {{from, first}, {to, last}}, observer);
-  const PathResult path = session.path(first[0], last[0], job.query);
+  PathResult path = session.path(first[0], last[0], job.query);
+  path.broken_promises = session.audit_path(first[0], last[0], path, job.query);
   if (!job.out.empty()) write_atomically(job.out, format_to_write(job.out, Content::path).write_path(path));
   return path;
 }

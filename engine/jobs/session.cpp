@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/checks/nearest_audit.hpp"
+#include "engine/checks/path_audit.hpp"
 #include "engine/jobs/check.hpp"
 #include "engine/jobs/pairs/distances.hpp"
 #include "engine/jobs/session_state.hpp"
@@ -31,6 +33,10 @@ struct Session::Impl : SessionState {
     tell_off_surface(start.input(), start.surface(), {{selection, points}}, observer);
     return points;
   }
+
+  /// Calls `use` with the surface of the path that the rule gives, the solver prepared on it, and a context.
+  template <class Use>
+  void on_path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule, Use&& use);
 };
 
 namespace {
@@ -55,6 +61,19 @@ void check_rows(const RowSet& rows, std::size_t sources) {
 }
 
 }  // namespace
+
+template <class Use>
+void Session::Impl::on_path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule, Use&& use) {
+  check_path_rule(rule);
+  check_end(from, "the start of the path"), check_end(to, "the end of the path");
+  check_rule(rule, start.opened, {&from, 1});
+  demand(plugin.info, Provides::paths);
+  const SourceSurface on = SourceSurfaces(rule, start.opened, {to}).of(from);
+  check_provides(plugin.info, rule, {&on.source, 1}, on.targets->named(), infinity);
+  StageContext searching = context(ShortestPathSolver::stage, 1);
+  if (on.mesh == start.surface().mesh) return use(prepared(), on, searching);
+  use(prepare_solver(plugin, on.mesh, host, settings, observer), on, searching);
+}
 
 Observer& silent_observer() noexcept {
   static Observer observer;
@@ -163,19 +182,49 @@ std::vector<Distance> Session::nearest(std::span<const NamedPoint> sources, std:
 }
 
 PathResult Session::path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule) const {
-  check_path_rule(rule);
-  check_end(from, "the start of the path"), check_end(to, "the end of the path");
-  check_rule(rule, impl_->start.opened, {&from, 1});
-  demand(impl_->plugin.info, Provides::paths);
-  const SourceSurface on = SourceSurfaces(rule, impl_->start.opened, {to}).of(from);
-  check_provides(impl_->plugin.info, rule, {&on.source, 1}, on.targets->named(), infinity);
-  StageContext context = impl_->context(ShortestPathSolver::stage, 1);
-  const PreparedSolver own =
-      on.mesh == surface().mesh ? impl_->prepared()
-                                : prepare_solver(impl_->plugin, on.mesh, impl_->host, impl_->settings, impl_->observer);
-  PathResult path = shortest_path(own, *on.mesh, on.source, *on.targets, context);
+  PathResult path;
+  impl_->on_path(from, to, rule, [&](const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
+    path = shortest_path(solver, *on.mesh, on.source, *on.targets, context);
+  });
   path.from_off_surface = from.off_surface, path.to_off_surface = to.off_surface;
   return path;
+}
+
+std::vector<std::string> Session::audit_nearest(std::span<const NamedPoint> sources,
+                                                std::span<const NamedPoint> targets, std::span<const Distance> nearest,
+                                                double max_distance, double share) const {
+  if (nearest.size() != targets.size())
+    throw OptionError("there are " + std::to_string(nearest.size()) + " distances, but " +
+                          std::to_string(targets.size()) + " targets",
+                      "give what `nearest` gave");
+  if (!(share > 0 && share <= 1)) throw OptionError("the audit's share must be above 0, up to 1");
+  const TargetList list({targets.begin(), targets.end()}, surface());
+  StageContext context = impl_->context("audit", 1);
+  return broken_promises(geodrome::audit_nearest(impl_->prepared(), *surface().mesh,
+                                                 {sources, list, nearest, max_distance}, share, impl_->settings.seed,
+                                                 context));
+}
+
+std::vector<std::string> Session::audit_path(const NamedPoint& from, const NamedPoint& to, const PathResult& path,
+                                             ProjectionRule rule) const {
+  std::vector<std::string> broken;
+  impl_->on_path(from, to, rule, [&](const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
+    broken = geodrome::audit_path(solver, *on.mesh, on.source, *on.targets, path, context);
+  });
+  return broken;
+}
+
+std::vector<std::string> Session::audit_pairs(std::span<const NamedPair> pairs,
+                                              std::span<const double> distances) const {
+  if (pairs.size() != distances.size())
+    throw OptionError(
+        "there are " + std::to_string(distances.size()) + " distances, but " + std::to_string(pairs.size()) + " pairs",
+        "give what `pairs` gave");
+  StageContext context = impl_->context("audit", 1);
+  const PairAudit audit = geodrome::audit_pairs(*surface().mesh, impl_->prepared(), pairs, distances, context,
+                                                surface().made_from == InputKind::points);
+  if (audit.holds()) return {};
+  return {"pair " + std::to_string(audit.worst_pair) + " and a search for it differ by more than the factor allows"};
 }
 
 std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {

@@ -15,4 +15,7 @@ std::size_t memory_now();
 /// Makes what is resident now the peak. False where the system does not allow it: the peak then only grows.
 bool reset_memory_peak();
 
+/// Makes the code of all libraries resident, so that what a plugin adds from then on is data.
+void make_code_resident();
+
 }  // namespace geodrome

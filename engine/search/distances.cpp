@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/search/reach.hpp"
 #include "engine/search/traced_path.hpp"
 
 namespace geodrome {
@@ -42,6 +43,10 @@ Distance by_search(const ShortestPathMap& map, const Starts& starts, std::span<c
                    const NamedPoint& target, const DistanceRule& rule) {
   const Distance found = map.at(target.place.at);
   if (!is_distance(found.value)) throw_no_distance(found.value, "target " + target.label);
+  if ((found.reach == Reach::reached) != std::isfinite(found.value))
+    throw NumericalError("said " + std::string(reach_word(found.value, found.reach)) + " of target " + target.label +
+                             ", whose distance it gives as " + std::to_string(found.value),
+                         "choose another solver, and report this to the author of the plugin");
   if (found.reach != Reach::reached) return {found.value, found.reach, no_index};
   if (found.source >= starts.sources.size())
     throw NumericalError("named no source for target " + target.label,
@@ -61,27 +66,30 @@ void throw_no_distance(double value, const std::string& whose) {
 std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
                                       const TargetList& targets, double max_distance, RunContext& context,
                                       std::span<double> row) {
-  const DistanceRule rule{targets.bounded(), max_distance};
-  const auto fill = [&](auto&& searched) {
-    for (std::size_t j = 0; j < row.size(); ++j) {
-      const NamedPoint& target = targets.named()[j];
-      const double along = surface_distance(source.place, target.place, [&] { return searched(j); });
-      row[j] = rule(along + source.start, source, target);
-    }
-  };
   // With a single source its start distance only shifts the row, so no solver needs to know of it.
   const double radius = max_distance - source.start;
   if (source.place.state != Place::State::on_surface || radius < 0) {
-    fill([](std::size_t) { return infinity; });
+    read_row(nullptr, source, targets, max_distance, row);
     return {};
   }
   const Source from{source.place.at, 0};
   const ShortestPathMap& map =
       run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
   return cross_boundary(solver.plugin.info, [&] {
-    fill([&](std::size_t j) { return targets.read(map, j); });
+    read_row(&map, source, targets, max_distance, row);
     return map.counters();
   });
+}
+
+void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
+              std::span<double> row) {
+  const DistanceRule rule{targets.bounded(), max_distance};
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    const NamedPoint& target = targets.named()[j];
+    const double along =
+        surface_distance(source.place, target.place, [&] { return map ? targets.read(*map, j) : infinity; });
+    row[j] = rule(along + source.start, source, target);
+  }
 }
 
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,

@@ -51,9 +51,14 @@ std::span<const Counter> distance_row(const PreparedSolver& solver, Search& sear
                                       const TargetList& targets, double max_distance, RunContext& context,
                                       std::span<double> row);
 
+/// The same row by the map of a search from that source alone, which started at 0 and knows the targets. To be called
+/// inside `cross_boundary`. A source that lies on no surface needs no map: null.
+void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
+              std::span<double> row);
+
 /// One search from all sources: the distance of every target from the source that is nearest, and which that is; NaN
-/// for a target that was dropped. Throws as `distance_row`, CapabilityError if a start distance is wanted that the
-/// solver does not provide.
+/// for a target that was dropped. Throws as `distance_row`, NumericalError for a reach that its distance contradicts,
+/// CapabilityError if a start distance is wanted that the solver does not provide.
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
                                         const TargetList& targets, double max_distance, RunContext& context);
 

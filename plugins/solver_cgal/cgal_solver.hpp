@@ -13,9 +13,9 @@ namespace geodrome {
 class CgalSolver final : public ShortestPathSolver {
  public:
   static constexpr Needs needs = Needs::manifold | Needs::oriented;
-  static constexpr Provides provides = Provides::face_sources | Provides::radius_limit | Provides::any_point |
-                                       Provides::paths | Provides::path_is_distance | Provides::factor_any_point |
-                                       Provides::never_shorter;
+  static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
+                                       Provides::any_point | Provides::paths | Provides::path_is_distance |
+                                       Provides::factor_any_point | Provides::never_shorter;
 
   /// Copies the mesh for CGAL, O(V + F). Throws CapabilityError for face weights.
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override;

@@ -46,7 +46,7 @@ TEST_F(ExitStatus, IsThreeForNeedsAndProvidesThatAreNotMet) {
   expect(run({"distances", file("book.off"), "-o", file("d.npy"), "--solver", "cgal"}), 3, "nonmanifold");
   write_bytes(folder_ / "late.txt", "0 + 1\n2\n");
   expect(
-      run({"distances", mesh(), "--nearest", file("n.csv"), "--solver", "cgal", "--sources", "@" + file("late.txt")}),
+      run({"distances", mesh(), "--nearest", file("n.csv"), "--solver", "heat", "--sources", "@" + file("late.txt")}),
       3, "start_distances");
 }
 

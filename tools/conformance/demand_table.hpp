@@ -52,6 +52,7 @@ DemandTable distance_demands();
 DemandTable invariance_demands();
 DemandTable guarantee_demands();
 DemandTable request_demands();
+DemandTable source_demands();
 DemandTable path_demands();
 DemandTable surface_demands();
 DemandTable discipline_demands();

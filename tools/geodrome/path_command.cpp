@@ -25,7 +25,7 @@ int write_path(const PathArguments& arguments) {
   };
   std::cout.precision(4);
   tell_off("the start", path.from_off_surface), tell_off("the end", path.to_off_surface);
-  return 0;
+  return tell_broken_promises(path.broken_promises, arguments.job.settings.stages.solver);
 }
 
 }  // namespace

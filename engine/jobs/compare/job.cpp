@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 
+#include "engine/host/apart.hpp"
 #include "engine/input/finding_text.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/compare/checks.hpp"
@@ -30,6 +32,16 @@ void check_arguments(const CompareJob& job) {
   check_outputs(outputs, read);
 }
 
+/// Rows that do not exist are told though no combination may come as far as to place them.
+void check_rows(const Selection& sources, const Input& input) {
+  Selection rows{.file = sources.file};
+  std::ranges::copy_if(sources.entries, std::back_inserter(rows.entries),
+                       [](const PointEntry& entry) { return entry.kind == PointEntry::Kind::row; });
+  PlacedSurface anywhere;
+  anywhere.places.resize(input.element_of_row.size());
+  resolve(rows, input, anywhere);
+}
+
 /// Times are comparable on one thread only.
 RunSettings on_one_thread(RunSettings settings) {
   settings.threads = 1;
@@ -54,13 +66,15 @@ class Comparison {
         view_(input, job.paths, settings.seed) {}
 
   void add(const Combination& combination) {
-    CombinationFigures figures{.name = combination.name, .stages = choices_by_stage(combination.choice, input_.kind)};
+    CombinationFigures figures = begun(combination);
     SolverPlugin solver;
     std::shared_ptr<const PlacedSurface> surface;
     attempt(figures, [&] {
       solver = load_solver(host_, combination.choice.solver);
       surface = surfaces_.make(combination.choice);
     });
+    // A mesh is a surface without any plugin: what is wrong with the sources is told though no solver can be loaded.
+    if (!surface && input_.kind == InputKind::mesh) surface = surfaces_.make(combination.choice);
     if (surface) {
       const auto on = surfaces_.placed(surface);  // what is wrong with the sources is wrong for all,
       truth_.read_file(*on);                      // and what is wrong with the file
@@ -69,10 +83,16 @@ class Comparison {
         tell_off_surface(input_, *surface, {{selection_, sources_}}, observer_);
         tell_of_page(*surface->mesh);
       }
-      attempt(figures, [&] { fill(figures, combination, solver, on); });
+      if (figures.ran()) attempt(figures, [&] { fill(figures, combination, solver, on); });
     }
-    if (!figures.ran() && !job_.page.empty()) view_.add_failed();
-    combinations_.push_back(std::move(figures));
+    keep(std::move(figures));
+  }
+
+  /// A combination whose process died.
+  void add_lost(const Combination& combination, const LostStep& lost) {
+    CombinationFigures figures = begun(combination);
+    figures.error = lost.reason, figures.error_status = lost.status;
+    keep(std::move(figures));
   }
 
   ComparisonFigures figures() const {
@@ -90,6 +110,15 @@ class Comparison {
   Json view() const { return view_.json(); }
 
  private:
+  CombinationFigures begun(const Combination& combination) const {
+    return {.name = combination.name, .stages = choices_by_stage(combination.choice, input_.kind)};
+  }
+
+  void keep(CombinationFigures figures) {
+    if (!figures.ran() && !job_.page.empty()) view_.add_failed();
+    combinations_.push_back(std::move(figures));
+  }
+
   /// An error is the combination's own: the others go on.
   template <class Function>
   void attempt(CombinationFigures& figures, Function&& function) {
@@ -159,6 +188,28 @@ int first_error_status(const ComparisonFigures& figures) {
   return 0;
 }
 
+CompareReport finish(const CompareJob& job, const Comparison& comparison, const std::optional<ComparisonPage>& page) {
+  const ComparisonFigures figures = comparison.figures();
+  Json json = to_json(figures);
+  CompareReport report{text_of(json), text_of(figures), first_error_status(figures), broken_promises(figures)};
+  if (!job.figures.empty()) write_atomically(job.figures, report.json + "\n");
+  if (page) {
+    json["view"] = comparison.view();
+    write_atomically(job.page, page->with(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
+  }
+  return report;
+}
+
+Apart::Strings strings_of(const CompareReport& report) {
+  Apart::Strings strings{report.json, report.table, std::to_string(report.error_status)};
+  strings.insert(strings.end(), report.broken_promises.begin(), report.broken_promises.end());
+  return strings;
+}
+
+CompareReport report_of(const Apart::Strings& strings) {
+  return {strings[0], strings[1], std::stoi(strings[2]), {strings.begin() + 3, strings.end()}};
+}
+
 }  // namespace
 
 CompareReport run_compare(const CompareJob& job, Observer& observer) {
@@ -172,18 +223,17 @@ CompareReport run_compare(const CompareJob& job, Observer& observer) {
   const PluginHost host(settings.plugin_path);
   const Input input = read_and_tell(job.input, settings, observer);
   const std::vector<Combination> combinations = combinations_of(varied, settings.stages, input.kind);
-  Comparison comparison(job, sources, host, settings, input, observer);
-  for (const Combination& combination : combinations) comparison.add(combination);
-
-  const ComparisonFigures figures = comparison.figures();
-  Json json = to_json(figures);
-  CompareReport report{text_of(json), text_of(figures), first_error_status(figures), broken_promises(figures)};
-  if (!job.figures.empty()) write_atomically(job.figures, report.json + "\n");
-  if (page) {
-    json["view"] = comparison.view();
-    write_atomically(job.page, page->with(json.dump(-1, ' ', false, Json::error_handler_t::replace)));
-  }
-  return report;
+  check_rows(sources, input);
+  const auto compare = [&](Apart& apart, Observer& told) {
+    Comparison comparison(job, sources, host, settings, input, told);
+    for (const Combination& combination : combinations)
+      if (const auto lost = apart.before_step())
+        comparison.add_lost(combination, *lost);
+      else
+        comparison.add(combination);
+    return strings_of(finish(job, comparison, page));
+  };
+  return report_of(Apart::run(compare, observer));
 }
 
 }  // namespace geodrome

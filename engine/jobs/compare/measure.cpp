@@ -16,8 +16,10 @@ namespace {
 class MemoryRise {
  public:
   MemoryRise() {
-    // What was freed but not returned would be used again without being seen.
+    // What was freed but not returned would be used again without being seen; code that a process runs for the first
+    // time would count as memory of whoever runs it first.
     malloc_trim(0);
+    make_code_resident();
     counts_ = reset_memory_peak();
     before_ = memory_now();
   }

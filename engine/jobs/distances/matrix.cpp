@@ -128,6 +128,8 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
     result.insertions = maker.insertions();
     result.reach = count_reaches(job, surfaces, file, sources);
     result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
+    result.given = {{}, job.max_distance, job.scalar == ScalarType::float32 ? 0x1p-24 : 0};
+    for (const std::size_t i : audited_sources(sources)) result.given.rows.push_back(file.read(i));
     file.finish();
   } catch (...) {
     tell_unfinished(file, spec, observer);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/checks/invariants.hpp"
+#include "engine/checks/surface_audit.hpp"
 #include "engine/search/reach.hpp"
 #include "engine/search/source_surface.hpp"
 #include "geodrome/engine/jobs.hpp"
@@ -19,6 +20,7 @@ struct MatrixResult {
   std::map<std::string, std::uint64_t> insertions;  ///< how this run's sources became vertices; none for `project`
   ReachCounts reach;
   Invariants invariants;
+  GivenRows given;  ///< read from the finished file, for the audit
 };
 
 /// Computes, checks and finishes `job.matrix`: rows over threads, each written as soon as it is there. Before the bulk

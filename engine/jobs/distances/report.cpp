@@ -46,12 +46,35 @@ Json to_json(const MatrixResult& matrix) {
   return json;
 }
 
+/// The audit of the nearest sources: of the search from all of them, and of what it gave against other searches.
+Json to_json(const NearestAudit& audit) {
+  if (!audit.not_audited.empty()) return {{"audited", false}, {"because", audit.not_audited}};
+  Json json{{"audited", true},
+            {"from_sources", audit.from_sources},
+            {"from_targets", audit.from_targets},
+            {"targets", audit.targets},
+            {"missed", audit.missed},
+            {"impossible", audit.impossible},
+            {"scale", to_json(audit.scale)},
+            {"worst", to_json(audit.worst)},
+            {"where", audit.where}};
+  const AuditResult& search = audit.search;
+  if (audit.search_not_audited.empty())
+    json["search"] = {{"faces", search.faces},
+                      {"pairs", search.pairs},
+                      {"paths", search.paths},
+                      {"scale", to_json(search.scale)},
+                      {"worst_lipschitz", to_json(search.worst_lipschitz)},
+                      {"worst_path", to_json(search.worst_path)},
+                      {"where", search.where}};
+  else
+    json["search_not_audited"] = audit.search_not_audited;
+  return json;
+}
+
 Json to_json(const NearestResult& nearest) {
-  return {{"reached", nearest.reached},
-          {"beyond_limit", nearest.beyond_limit},
-          {"unreachable", nearest.unreachable},
-          {"dropped", nearest.dropped},
-          {"seconds", nearest.seconds}};
+  return {{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
+          {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
 }
 
 Json to_json(const AuditSummary& audit) {
@@ -66,17 +89,15 @@ Json to_json(const AuditSummary& audit) {
           {"worst_lipschitz", to_json(worst.worst_lipschitz)},
           {"worst_path", to_json(worst.worst_path)},
           {"where", worst.where},
+          {"worst_row", to_json(audit.worst_given)},
+          {"where_row", audit.where_given},
           {"seconds", audit.seconds}};
 }
-
-/// Violations beyond this share of the largest distance are no rounding: an exact solver's stay below 1e-11, and a
-/// wavefront that is lost, or a path that is not shortest, shows by far more.
-constexpr double audit_tolerance = 1e-9;
 
 bool is_weighted(const RunRecord& record) { return !record.start.input().weights.empty(); }
 
 /// What the checks found that may not be, one line each.
-std::vector<std::string> broken_promises(const RunRecord& record) {
+std::vector<std::string> broken_promises_of(const RunRecord& record) {
   std::vector<std::string> broken;
   const auto demand = [&](bool holds, std::string what) {
     if (!holds) broken.push_back(std::move(what));
@@ -94,8 +115,14 @@ std::vector<std::string> broken_promises(const RunRecord& record) {
     demand(i.symmetry.holds(), std::to_string(i.symmetry.violated) + " pairs have two distances");
     demand(i.triangle.holds(), std::to_string(i.triangle.violated) + " triples break the triangle inequality");
   }
+  const auto demand_audit = [&](double worst, const std::string& where) {
+    demand(worst <= audit_tolerance, "the audit failed: " + where);
+  };
   const AuditResult& audit = record.audit.worst;
-  demand(std::max(audit.worst_lipschitz, audit.worst_path) <= audit_tolerance, "the audit failed: " + audit.where);
+  demand_audit(std::max(audit.worst_lipschitz, audit.worst_path), audit.where);
+  demand_audit(record.audit.worst_given, record.audit.where_given);
+  if (record.nearest)
+    for (std::string& what : broken_promises(record.nearest->audit)) broken.push_back(std::move(what));
   return broken;
 }
 
@@ -142,6 +169,25 @@ void summarize_matrix(const RunRecord& record, std::ostream& out) {
   out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(record) << ")\n";
 }
 
+void summarize_audit(const AuditSummary& audit, std::ostream& out) {
+  if (!audit.not_audited.empty()) return void(out << "audit      not audited: " << audit.not_audited << "\n");
+  out << "audit      " << audit.worst.faces << " faces, " << audit.worst.paths << " paths: worst violation "
+      << std::max({audit.worst.worst_lipschitz, audit.worst.worst_path, audit.worst_given})
+      << " of the largest distance\n";
+}
+
+void summarize_audit(const NearestAudit& audit, std::ostream& out) {
+  if (!audit.not_audited.empty()) return void(out << "audit      nearest: not audited: " << audit.not_audited << "\n");
+  out << "audit      nearest: ";
+  if (audit.search_not_audited.empty())
+    out << audit.search.faces << " faces, " << audit.search.paths << " paths";
+  else
+    out << "its own search not audited (" << audit.search_not_audited << ")";
+  out << "; " << audit.from_sources << " searches from sources, " << audit.from_targets
+      << " from targets: worst violation "
+      << std::max({audit.search.worst_lipschitz, audit.search.worst_path, audit.worst}) << " of the largest distance\n";
+}
+
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
   out.precision(4);
   summarize_provenance(record.start.input(), surface, record.solver, out);
@@ -151,12 +197,8 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Sampl
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
         << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "
         << record.nearest->seconds << " s\n";
-  const AuditSummary& audit = record.audit;
-  if (audit.not_audited.empty())
-    out << "audit      " << audit.worst.faces << " faces, " << audit.worst.paths << " paths: worst violation "
-        << std::max(audit.worst.worst_lipschitz, audit.worst.worst_path) << " of the largest distance\n";
-  else
-    out << "audit      not audited: " << audit.not_audited << "\n";
+  if (record.matrix) summarize_audit(record.audit, out);
+  if (record.nearest) summarize_audit(record.nearest->audit, out);
   if (sample) print_short(*sample, out);
 }
 
@@ -173,8 +215,8 @@ JobReport write_report(const RunRecord& record) {
     json["surface_file"] = {{"file", record.job.surface.string()}, {"findings", to_json(record.surface_findings)}};
   if (record.matrix) json["matrix"] = to_json(*record.matrix);
   if (record.nearest) json["nearest"] = to_json(*record.nearest);
-  json["audit"] = to_json(record.audit);
-  const std::vector<std::string> broken = broken_promises(record);
+  json["audit"] = record.matrix ? to_json(record.audit) : to_json(record.nearest->audit);
+  const std::vector<std::string> broken = broken_promises_of(record);
   json["broken_promises"] = broken;
   json["timings"] = {{"read", opened.read_seconds},
                      {"surface", opened.surface_seconds},

@@ -21,7 +21,7 @@ struct RunRecord {
   std::vector<Finding> surface_findings;  ///< of the file of the surface
   std::optional<MatrixResult> matrix;
   std::optional<NearestResult> nearest;
-  AuditSummary audit;
+  AuditSummary audit;  ///< of the matrix
   double total_seconds = 0;
 };
 

@@ -16,6 +16,8 @@ struct NoFault {
   /// The mesh that is solved instead; the first vertices and faces must be those of the mesh.
   static MeshPtr mesh(MeshPtr mesh) { return mesh; }
   static void before_run(const SurfaceMesh&) {}
+  static void sources(std::vector<Source>&) {}
+  static double at_vertex(const SurfaceMesh&, std::span<const Source>, Index, double right) { return right; }
   static double value(double right) { return right; }
   static Distance at(const ShortestPathMap&, const SurfaceMesh&, const SurfacePoint&, Distance right) { return right; }
   static void path(std::vector<SurfacePoint>&) {}
@@ -31,8 +33,11 @@ class FaultySearch : public Search, public ShortestPathMap {
 
   const ShortestPathMap& run(std::span<const Source> sources, const Request& request, RunContext& context) override {
     Fault::before_run(*mesh_);
-    map_ = &right_->run(sources, request, context);
-    for (std::size_t v = 0; v < values_->size(); ++v) (*values_)[v] = Fault::value(map_->vertices()[v]);
+    sources_.assign(sources.begin(), sources.end());
+    Fault::sources(sources_);
+    map_ = &right_->run(sources_, request, context);
+    for (Index v = 0; v < values_->size(); ++v)
+      (*values_)[v] = Fault::value(Fault::at_vertex(*mesh_, sources_, v, map_->vertices()[v]));
     counters_.assign(map_->counters().begin(), map_->counters().end());
     Fault::counters(counters_);
     return *this;
@@ -41,6 +46,8 @@ class FaultySearch : public Search, public ShortestPathMap {
   std::span<const double> vertices() const override { return *values_; }
   Distance at(const SurfacePoint& point) const override {
     Distance distance = Fault::at(*map_, *mesh_, point, map_->at(point));
+    if (const Index vertex = mesh_->vertex_at(point); vertex != no_index)
+      distance.value = Fault::at_vertex(*mesh_, sources_, vertex, distance.value);
     distance.value = Fault::value(distance.value);
     return distance;
   }
@@ -54,6 +61,7 @@ class FaultySearch : public Search, public ShortestPathMap {
   MeshPtr mesh_;
   std::unique_ptr<Search> right_;
   std::shared_ptr<std::vector<double>> values_;
+  std::vector<Source> sources_;
   const ShortestPathMap* map_ = nullptr;
   std::vector<Counter> counters_;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <vector>
 
 #include "geodrome/surface.hpp"
@@ -32,6 +33,7 @@ struct PathResult {
   std::vector<SurfacePoint> points;
   std::vector<Vec3> positions;
   double from_off_surface = 0, to_off_surface = 0;  ///< as `NamedPoint::off_surface` of the ends
+  std::vector<std::string> broken_promises;  ///< what `run_path` found in its audit; of a session empty
 };
 
 }  // namespace geodrome

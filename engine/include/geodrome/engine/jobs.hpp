@@ -76,7 +76,8 @@ struct PathJob {
 
 /// Does the whole job, as `run_distances`, and gives the path back; `out` may be empty. Throws any geodrome::Error:
 /// CapabilityError for a solver without paths, OptionError for an end that was dropped, has a start distance or is not
-/// one point. Memory: the surface, the prepared solver, and the map of one search.
+/// one point. `broken_promises` of the path tells of its audit: see `Session::audit_path`. Memory: the surface, the
+/// prepared solver, and the map of one search.
 PathResult run_path(const PathJob& job, Observer& observer);
 
 /// Distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off.
@@ -101,7 +102,9 @@ struct CompareReport {
   std::vector<std::string> broken_promises;
 };
 
-/// Does the whole job. A combination that cannot be run is a row of its own, the others go on. Throws any
+/// Does the whole job, in child processes (fork): plugins are loaded there, and one that dies loses its combination
+/// alone. No other thread may load plugins meanwhile. `observer` is told on this thread. A combination that cannot be
+/// run is a row of its own, the others go on. Throws any
 /// geodrome::Error for what is wrong with the job itself: OptionError for stages, sources and truth that do not exist,
 /// InputError for a truth of another shape, CapabilityError for a page whose template is missing. Memory: the surfaces
 /// that differ, one prepared solver, and rows of all targets per source.

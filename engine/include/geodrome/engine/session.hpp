@@ -98,6 +98,18 @@ class Session {
   /// start distance, CapabilityError if the solver has no paths.
   PathResult path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule = ProjectionRule::project) const;
 
+  /// Audits what the three members around here gave, by searches of other kinds, one line for each promise of the
+  /// solver that is broken; none for one that holds or cannot be judged. A few searches on one thread. `nearest`: the
+  /// search is repeated and audited on a `share` of the faces, in (0, 1], and held against searches from single sources
+  /// and from targets. A path: it runs on the surface, is as long as its distance, and a search from its other end
+  /// agrees. Pairs: searches for three of them, from both ends. Throw as those members.
+  std::vector<std::string> audit_nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                         std::span<const Distance> nearest, double max_distance = infinity,
+                                         double share = 0.01) const;
+  std::vector<std::string> audit_path(const NamedPoint& from, const NamedPoint& to, const PathResult& path,
+                                      ProjectionRule rule = ProjectionRule::project) const;
+  std::vector<std::string> audit_pairs(std::span<const NamedPair> pairs, std::span<const double> distances) const;
+
   /// A distance for each pair, over threads, by the oracle of the solver, which is built with the first call and kept.
   /// Throws OptionError for an end with a start distance, CapabilityError if the solver has no oracle.
   std::vector<double> pairs(std::span<const NamedPair> pairs) const;

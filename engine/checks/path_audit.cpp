@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "engine/checks/path_audit.hpp"
+
+#include <cmath>
+
+#include "engine/checks/invariants.hpp"
+#include "engine/checks/rounding_scale.hpp"
+#include "engine/formats/number_text.hpp"
+#include "engine/search/distances.hpp"
+#include "engine/surface/common_face.hpp"
+
+namespace geodrome {
+
+namespace {
+
+/// The length of the way through common faces from one end to the other; +inf where a step lies in no face.
+double walked(const SurfaceMesh& mesh, const SurfacePoint& from, const PathResult& path, const SurfacePoint& to) {
+  const CommonFace common(mesh);
+  double length = 0;
+  const SurfacePoint* before = &from;
+  const auto step = [&](const SurfacePoint& next) {
+    length += common.straight(*before, next).value_or(infinity);
+    before = &next;
+  };
+  for (const SurfacePoint& point : path.points) step(point);
+  step(to);
+  return length;
+}
+
+bool is_promised(const PreparedSolver& solver, const Place& place) {
+  return place.vertex != no_index || solver.provides(Provides::factor_any_point);
+}
+
+/// The distance by a search from the other end; nothing where the solver cannot search so or promises no factor.
+std::optional<double> searched_back(const PreparedSolver& solver, const Place& from, const Place& to,
+                                    RunContext& context) {
+  const bool possible = (to.vertex != no_index || solver.provides(Provides::face_sources)) &&
+                        (from.vertex != no_index || solver.provides(Provides::any_point));
+  if (!possible || !std::isfinite(solver.plugin.factor) || !is_promised(solver, from) || !is_promised(solver, to))
+    return std::nullopt;
+  const auto search = make_search(solver);
+  const Source source{to.at, 0};
+  const Request request{.targets = {&from.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};
+  const ShortestPathMap& map = run_search(solver, *search, {&source, 1}, request, context);
+  return cross_boundary(solver.plugin.info, [&] { return map.at(from.at).value; });
+}
+
+}  // namespace
+
+std::vector<std::string> audit_path(const PreparedSolver& solver, const SurfaceMesh& mesh, const NamedPoint& from,
+                                    const TargetList& to, const PathResult& path, RunContext& context) {
+  std::vector<std::string> broken;
+  const NamedPoint& end = to.named()[0];
+  if (from.place.state != Place::State::on_surface || end.place.state != Place::State::on_surface) return broken;
+  const double scale = RoundingScale().distances({&path.distance, 1}).points(mesh.positions()).value();
+  const double slack = float64_tolerance * scale;
+  const auto differ = [&](const std::string& a, double x, const std::string& b, double y) {
+    broken.push_back(a + " is " + number_text(x) + ", but " + b + " " + number_text(y));
+  };
+  if (std::isfinite(path.distance)) {
+    const double length = walked(mesh, from.place.at, path, end.place.at);
+    if (path.points.empty() || !(std::abs(length - path.length) <= slack))
+      differ("the path's length", path.length, "on the surface, from end to end, it has", length);
+    // Of a cloud the straight line may be longer than the way along the estimated surface.
+    const double along =
+        to.bounded() ? std::max(path.length, distance(from.place.position, end.place.position)) : path.length;
+    if (solver.provides(Provides::path_is_distance) && !(std::abs(along - path.distance) <= slack))
+      differ("the distance", path.distance, "the path has", along);
+  }
+  if (const auto back = searched_back(solver, from.place, end.place, context)) {
+    const double factor = solver.plugin.factor, ruled = DistanceRule{to.bounded()}(*back, from, end);
+    const bool same = std::isfinite(ruled) == std::isfinite(path.distance);
+    if (!same || path.distance - factor * ruled > slack || ruled - factor * path.distance > slack)
+      differ("the distance", path.distance, "from the other end it is", ruled);
+  }
+  return broken;
+}
+
+}  // namespace geodrome
