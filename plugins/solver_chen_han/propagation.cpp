@@ -25,7 +25,8 @@ Propagation::Propagation(const PackedMesh& surface, const Settings& settings)
       lanes_(&lanes(Simd::baseline)),
       wavefront_(surface),
       store_(wavefront_.store()),
-      trimming_(*lanes_) {}
+      trimming_(*lanes_),
+      fans_(surface) {}
 
 void Propagation::begin(bool keep, double limit) {
   wavefront_.clear();  // what a run that was stopped left behind
@@ -33,6 +34,7 @@ void Propagation::begin(bool keep, double limit) {
   kept_.reset();
   if (keep) kept_.prepare(3 * surface_.face_count());
   trimming_.reset();
+  fans_.reset();
   counts_ = {};
   choose_lanes();
 }
@@ -64,12 +66,13 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double,
 
 /// Carries on what waits at a half-edge, as one list.
 void Propagation::process(Index half_edge, Index block) {
-  if (store_[block].next != no_index) return gather(half_edge, block);
+  if (store_[block].next != no_index || surface_.is_fan(half_edge)) return gather(half_edge, block);
   pass(half_edge, {store_[block].windows(), store_[block].count}, store_[block].depth);
   store_.release(block);
 }
 
-/// Several blocks: one of each entry in their order, the others merged into them.
+/// Several blocks, or windows that something nearer may have come to since: one of each entry in their order, the
+/// others merged into them.
 void Propagation::gather(Index half_edge, Index first_block) {
   std::array<Index, 3> ordered{no_index, no_index, no_index};
   blocks_.clear();
@@ -94,6 +97,7 @@ void Propagation::gather(Index half_edge, Index first_block) {
     trimming_.merge(list_, store_[b].windows(), store_[b].count);
     store_.release(b);
   }
+  if (surface_.is_fan(half_edge)) fans_.keep_nearest(half_edge, list_);
   if (list_.empty()) return;
   list_.arrays().pad(list_.size());
   pass(half_edge, {list_.arrays(), list_.size()}, depth);
@@ -237,8 +241,20 @@ void Propagation::split_off(Index block, Index edge) {
   }
 }
 
+/// Leaves of a block at an edge of more than two faces what is nearer than all that came there before.
+Index Propagation::claim(Index block, Index edge) {
+  const WindowList& parts = fans_.claim(edge, store_[block].windows(), store_[block].count);
+  const Index rest = store_.add(parts.size());
+  copy_windows(parts.arrays(), parts.size(), store_[rest].windows());
+  if (!parts.empty()) store_[rest].windows().pad(parts.size());
+  store_[rest].entry = store_[block].entry, store_[rest].depth = store_[block].depth;
+  store_.release(block);
+  return rest;
+}
+
 /// Lets a block wait at the other half-edges of an edge.
 void Propagation::hand_on(Index block, Index edge) {
+  if (surface_.is_fan(edge)) block = claim(block, edge);
   if (store_[block].count != 1 || !is_close(store_[block].windows(), surface_.length(edge))) {
     counts_.created += wavefront_.push_block(block, edge, limit_);
     return;

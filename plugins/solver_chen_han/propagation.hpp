@@ -9,6 +9,7 @@
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/vertex_propagation.hpp"
 #include "plugins/solver_chen_han/apex.hpp"
+#include "plugins/solver_chen_han/fan_windows.hpp"
 #include "plugins/solver_chen_han/kept_windows.hpp"
 #include "plugins/solver_chen_han/settings.hpp"
 #include "plugins/solver_chen_han/trimming.hpp"
@@ -73,6 +74,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   Wavefront& waiting() { return wavefront_; }
   void polled() { choose_lanes(); }
+  std::uint64_t carried() const { return counts_.propagated; }
   void next();
   void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
 
@@ -92,6 +94,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   Index carry(const Span& list, const Turn& turn);
   void send(Index block, Index edge, Entry entry, Index depth);
   void split_off(Index block, Index edge);
+  Index claim(Index block, Index edge);
   void hand_on(Index block, Index edge);
 
   Settings settings_;
@@ -99,6 +102,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   Wavefront wavefront_;
   WindowStore& store_;
   Trimming trimming_;
+  FanWindows fans_;
   KeptWindows kept_;
   WindowList list_, chosen_;
   std::vector<std::uint32_t> breaks_;

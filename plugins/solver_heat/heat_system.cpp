@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -86,29 +87,69 @@ Mesh copy_for_cgal(const SurfacePart& part) {
   return copy;
 }
 
-/// Throws NumericalError unless scaled `distances` are numbers within the reach of heat that rise as distances do.
-void require_distances(const SurfacePart& part, const std::vector<double>& distances, Index source) {
-  const auto refuse = [&](Index v, const std::string& why, const char* remedy) {
-    throw NumericalError("the heat of vertex " + std::to_string(part.vertex[source]) + " gives no distance of vertex " +
-                             std::to_string(part.vertex[v]) + ": " + why,
-                         remedy);
-  };
-  constexpr const char* needles = "remesh needle faces, or choose another solver";
-  for (Index v = 0; v < distances.size(); ++v) {
-    if (!(distances[v] < std::numeric_limits<double>::max()))  // what CGAL makes of NaN
-      refuse(v, "CGAL's result is no number", needles);
-    if (distances[v] > farthest_heat * part.mean_edge)
-      refuse(v, "it is more than 690 mean edges away", "make the mesh coarser, or choose another solver");
-  }
-  for (const Triangle& t : part.triangles) {
-    const auto lengths = sides(part, t);
-    for (int i = 0; i < 3; ++i) {
-      const double rise = std::abs(distances[t[(i + 1) % 3]] - distances[t[i]]);
-      if (rise > steepest * (lengths[i] + no_edge * part.mean_edge))
-        refuse(t[i], "along an edge CGAL's result rises faster than any distance", needles);
+/// A vertex and its distance from a source along edges.
+struct Farthest {
+  Index vertex;
+  double distance;
+};
+Farthest farthest_along_edges(const Mesh& mesh, Index source) {
+  std::vector<double> distances(mesh.number_of_vertices());
+  const auto index = get(boost::vertex_index, mesh);
+  boost::dijkstra_shortest_paths(
+      mesh, Mesh::Vertex_index(source),
+      boost::vertex_index_map(index).distance_map(boost::make_iterator_property_map(distances.begin(), index)));
+  const auto last = std::max_element(distances.begin(), distances.end());
+  return {static_cast<Index>(last - distances.begin()), *last};
+}
+
+/// Judges what CGAL made of the heat of a source.
+class Verdict {
+ public:
+  Verdict(const SurfacePart& part, const Mesh& mesh, Index source) : part_(part), mesh_(mesh), source_(source) {}
+
+  /// Throws NumericalError unless scaled distances are numbers within the reach of heat that rise as distances do.
+  void require_distances(const std::vector<double>& distances) const {
+    for (Index v = 0; v < distances.size(); ++v) {
+      if (!(distances[v] < std::numeric_limits<double>::max()))  // what CGAL makes of NaN
+        refuse_unfit(v, "CGAL's result is no number");
+      if (distances[v] > farthest_heat * part_.mean_edge) refuse(v, "it is more than 690 mean edges away", coarser);
+    }
+    for (const Triangle& t : part_.triangles) {
+      const auto lengths = sides(part_, t);
+      for (int i = 0; i < 3; ++i) {
+        const double rise = std::abs(distances[t[(i + 1) % 3]] - distances[t[i]]);
+        if (rise > steepest * (lengths[i] + no_edge * part_.mean_edge))
+          refuse_unfit(t[i], "along an edge CGAL's result rises faster than any distance");
+      }
     }
   }
-}
+
+ private:
+  static constexpr const char* coarser = "make the mesh coarser, or choose another solver";
+
+  [[noreturn]] void refuse(Index v, const std::string& why, const char* remedy) const {
+    throw NumericalError("the heat of vertex " + std::to_string(part_.vertex[source_]) +
+                             " gives no distance of vertex " + std::to_string(part_.vertex[v]) + ": " + why,
+                         remedy);
+  }
+
+  /// Names the cause. Where heat is below the range of numbers it has no direction, and what CGAL divides by it spoils
+  /// the distances of all vertices, the nearest too; the vertex named is then the farthest one.
+  [[noreturn]] void refuse_unfit(Index v, const std::string& why) const {
+    const Farthest farthest = farthest_along_edges(mesh_, source_);
+    const double edges = farthest.distance / part_.mean_edge;
+    if (!(edges > farthest_heat)) refuse(v, why, "remesh needle faces, or choose another solver");
+    refuse(farthest.vertex,
+           "it is " + std::to_string(std::lround(edges)) +
+               " mean edges away along edges, and heat, which falls by about e in each, leaves the range of numbers "
+               "after 690; then no distance is right",
+           coarser);
+  }
+
+  const SurfacePart& part_;
+  const Mesh& mesh_;
+  Index source_;
+};
 
 }  // namespace
 
@@ -138,7 +179,7 @@ const std::vector<double>& HeatSystem::from(Index source) {
   });
   for (Index v = 0; v < distances_.size(); ++v) distances_[v] = cgal_->distance[Mesh::Vertex_index(v)];
   distances_[source] = 0;
-  require_distances(part_, distances_, source);
+  Verdict(part_, cgal_->mesh, source).require_distances(distances_);
   for (double& distance : distances_) distance = part_.original(distance);
   return distances_;
 }

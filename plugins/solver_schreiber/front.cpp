@@ -153,7 +153,9 @@ void FrontEditor::begin_at(Front& front, double px, double py) {
 
 Ends FrontEditor::fit(Front& front, double length, const Before& before) {
   Generator room;
-  const auto is_outside = [length](const Generator& g) { return g.is_sliver() || claim_of(g, length).empty(); };
+  const auto is_outside = [length](const Generator& g) {
+    return g.is_sliver() || g.is_on_line_beside(length) || claim_of(g, length).empty();
+  };
   while (!front.empty() && is_outside(front.look(front.size() - 1, room))) remove(front, front.size() - 1, before);
   while (!front.empty() && is_outside(front.look(0, room))) remove(front, 0, before);
   if (front.empty()) return {};

@@ -101,6 +101,9 @@ class FrontEditor {
   /// Returns a front of generators in order, with keys computed. O(n).
   Front front_of(std::vector<Generator> generators);
 
+  /// Returns a front of ascending pieces, with rays bounded by them and keys computed. O(n).
+  Front front_of(const Pieces& pieces);
+
   /// Returns the generators in reversed order, as seen from a half-edge that runs the other way.
   Front mirrored(const Front& front, double length);
 
@@ -108,8 +111,6 @@ class FrontEditor {
   FrontCounts& counts() { return counts_; }
 
  private:
-  Front front_of(const Pieces& pieces);
-
   void narrow_one(Front& front, std::size_t i, double length);
 
   static void aim_low(Front& front, std::size_t i, Generator g, double px, double py);

@@ -62,6 +62,12 @@ struct Generator {
   bool passes_low(double place) const { return low_y * (place - x) + low_x * y > rounding(place); }
   bool passes_high(double place) const { return high_y * (x - place) - high_x * y > rounding(place); }
 
+  /// Tells whether the image lies on the line of a half-edge of `length`, beyond an end of it, up to rounding: its rays
+  /// cross the half-edge at no place, however wide the wedge.
+  bool is_on_line_beside(double length) const {
+    return -y <= rounding(length) && (x < -rounding(length) || x > length + rounding(length));
+  }
+
   /// Tells whether the two rays are one, up to rounding.
   bool is_sliver() const {
     return high_x * low_x + high_y * low_y > 0 &&

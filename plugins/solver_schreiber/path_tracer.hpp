@@ -40,10 +40,17 @@ class PathTracer {
     double distance = infinity;
     Step step;
   };
-  Index follow(Step step);
-  void look_below(const Step& from, Index half_edge, double x, double most, Onward& best) const;
+  /// The vertex that a path leads from: its distance, and the origin of the rays that reach it. From another point the
+  /// distance is infinite.
+  struct Start {
+    double distance;
+    Index origin;
+  };
+  Index follow(Step step, const Start& start);
+  bool leads_on(const Start& start, Index origin) const;
+  void look_below(const Step& from, const Start& start, Index half_edge, double x, double most, Onward& best) const;
   void look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const;
-  Onward shortest_over_corners(Index half_edge, double x) const;
+  Onward shortest_over_corners(Index half_edge, double x, const Start& start) const;
 
   const PackedMesh& surface_;
   const Labels<Step>& labels_;

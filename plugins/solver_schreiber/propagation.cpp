@@ -27,6 +27,7 @@ constexpr double event_margin = 1e-9;
 Propagation::Propagation(const PackedMesh& surface, const Settings&)
     : VertexPropagation(surface),
       editor_(pool_),
+      fans_(surface, editor_),
       waiting_(3 * surface.face_count(), surface.vertex_count()),
       times_passed_(3 * surface.face_count()) {}
 
@@ -35,6 +36,7 @@ void Propagation::begin(bool keep, double limit) {
   VertexPropagation::begin(keep, limit);
   kept_.reset();
   if (keep) kept_.prepare(3 * surface_.face_count());
+  fans_.reset();
   sources_.clear();
   for (const Index h : passed_) times_passed_[h] = 0;
   passed_.clear();
@@ -67,7 +69,7 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
 /// Carries on everything that came to a half-edge as one front: fronts of one entry are united first, then the entries
 /// are joined in their order.
 void Propagation::process(Index half_edge) {
-  if (arrivals_.size() == 1) {
+  if (arrivals_.size() == 1 && !surface_.is_fan(half_edge)) {
     Arrival arrival = std::move(arrivals_.front());
     arrivals_.clear();
     return pass(half_edge, std::move(arrival.front), arrival.ends, arrival.course);
@@ -86,6 +88,7 @@ void Propagation::process(Index half_edge) {
       editor_.join(front, std::move(same.front), length);
   }
   arrivals_.clear();
+  if (surface_.is_fan(half_edge)) fans_.keep_nearest(front, half_edge);
   if (front.empty()) return;
   const Ends ends = ends_of(front, length);
   pass(half_edge, std::move(front), ends, course);
@@ -246,12 +249,16 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Course cour
 
 /// Lets a front wait at every other half-edge on an edge. The front is in the frame of a half-edge that runs against
 /// `edge`.
-void Propagation::hand_on(Front front, const Ends& ends, Index edge, Entry entry, const Course& course) {
+void Propagation::hand_on(Front front, Ends ends, Index edge, Entry entry, const Course& course) {
   const double length = surface_.length(edge);
+  if (surface_.is_fan(edge)) {
+    fans_.claim(front, edge);
+    if (front.empty()) return;
+    ends = ends_of(front, length), entry = Entry::loose;
+  }
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
   if (near * (1 - rounding_share) > limit_) return;
   const bool at_once = front.size() == 1 && is_close(front[0], length);
-  if (surface_.is_fan(edge)) entry = Entry::loose;
   surface_.for_each_across(edge, [&](Index half_edge, bool same_way) {
     Front own = same_way ? editor_.mirrored(front, length) : front;
     const Ends own_ends = same_way ? ends.mirrored(length) : ends;

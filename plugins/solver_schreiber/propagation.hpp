@@ -8,6 +8,7 @@
 #include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/vertex_propagation.hpp"
+#include "plugins/solver_schreiber/fan_fronts.hpp"
 #include "plugins/solver_schreiber/front.hpp"
 #include "plugins/solver_schreiber/kept_fronts.hpp"
 #include "plugins/solver_schreiber/path_tracer.hpp"
@@ -58,6 +59,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   friend VertexPropagation;
 
   WaitingFronts& waiting() { return waiting_; }
+  std::uint64_t carried() const { return counts_.carried; }
   void next();
   void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
   void seed_face(const SurfacePoint& at, const Source& source, Index number);
@@ -83,10 +85,11 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void carry_on(const Apex& apex, Front front, const Split& split, const Course& course, double until);
   void carry_one_by_one(const Apex& apex, const Front& front, const Course& course, double until);
   void carry(const Apex& apex, Front front, bool to_left, Course course, double until);
-  void hand_on(Front front, const Ends& ends, Index edge, Entry entry, const Course& course);
+  void hand_on(Front front, Ends ends, Index edge, Entry entry, const Course& course);
 
   FrontPool pool_;
   FrontEditor editor_;
+  FanFronts fans_;
   WaitingFronts waiting_;
   KeptFronts kept_;
   std::vector<SeededFace> sources_;

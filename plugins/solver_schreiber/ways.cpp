@@ -48,8 +48,8 @@ std::array<Counter, 13> Propagation::counters() const {
 }
 
 std::size_t Propagation::bytes() const {
-  return VertexPropagation::bytes() + pool_.bytes() + waiting_.bytes() + kept_.bytes() + times_passed_.capacity() +
-         passed_.capacity() * sizeof(Index);
+  return VertexPropagation::bytes() + pool_.bytes() + fans_.bytes() + waiting_.bytes() + kept_.bytes() +
+         times_passed_.capacity() + passed_.capacity() * sizeof(Index);
 }
 
 }  // namespace geodrome::schreiber

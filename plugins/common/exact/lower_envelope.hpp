@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <utility>
@@ -21,11 +22,17 @@ concept PieceList = requires(const List& list, std::size_t i) {
   { list.image(i).at(list.low(i)) } -> std::convertible_to<double>;
 };
 
+/// How far two distances may differ and still tie: by `share` of (the larger one + `span`).
+struct Slack {
+  double share = 0, span = 0;
+};
+
 /// Builds the lower envelope of two lists from left to right. Pieces of one entry that touch are emitted as one.
 template <PieceList List, class Emit>
 class LowerEnvelope {
  public:
-  LowerEnvelope(const List& a, const List& b, Emit& emit) : a_(a), b_(b), emit_(emit) {}
+  LowerEnvelope(const List& a, const List& b, Emit& emit, const Slack& slack)
+      : a_(a), b_(b), emit_(emit), slack_(slack) {}
 
   void sweep() {
     double x = -infinity;
@@ -86,7 +93,7 @@ class LowerEnvelope {
 
   template <class Image>
   void add_monotone(const Image& a, Entry entry_a, const Image& b, Entry entry_b, double low, double high) {
-    const double at_low = a.at(low) - b.at(low), at_high = a.at(high) - b.at(high);
+    const double at_low = gap(a.at(low), b.at(low)), at_high = gap(a.at(high), b.at(high));
     const bool a_first = at_low < 0 || (at_low == 0 && at_high <= 0);
     const bool a_last = at_high < 0 || (at_high == 0 && at_low <= 0);
     const double x = a_first == a_last ? high : equal_place(a, b, low, high);
@@ -94,18 +101,24 @@ class LowerEnvelope {
     add(a_last ? entry_a : entry_b, x, high);
   }
 
+  double gap(double a, double b) const {
+    return std::abs(a - b) <= slack_.share * (std::max(a, b) + slack_.span) ? 0 : a - b;
+  }
+
   const List &a_, &b_;
   Emit& emit_;
+  Slack slack_;
   Entry last_;
   double last_low_ = 0, last_high_ = 0;
 };
 
 /// Calls `emit(list, i, low, high)` for the pieces [low, high] of the lower envelope of two lists, from left to right:
-/// in each of them entry i of `list` (one of the two) is nearest; that of `a` if two tie. Nothing is known about the
-/// order in which rays enter, so an entry may come out in several pieces. `a` and `b` are two objects. O(n + m).
+/// in each of them entry i of `list` (one of the two) is nearest; that of `a` if two tie up to `slack`. Nothing is
+/// known about the order in which rays enter, so an entry may come out in several pieces. `a` and `b` are two objects.
+/// O(n + m).
 template <PieceList List, class Emit>
-void lower_envelope(const List& a, const List& b, Emit&& emit) {
-  LowerEnvelope<List, Emit>(a, b, emit).sweep();
+void lower_envelope(const List& a, const List& b, Emit&& emit, const Slack& slack = {}) {
+  LowerEnvelope<List, Emit>(a, b, emit, slack).sweep();
 }
 
 }  // namespace geodrome

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
+#include "geodrome/errors.hpp"
 #include "geodrome/run_context.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/solver_kit/packed_mesh.hpp"
@@ -18,6 +20,12 @@
 #include "plugins/common/mesh/labels.hpp"
 
 namespace geodrome {
+
+/// Returns how many straight lines (windows, generators) a search may carry across faces. On a manifold a search needs
+/// at most one for each face on each level of Chen and Han's sequence tree, which has as many levels as there are
+/// faces: F^2. Sixteen times that leaves room for what is carried again; a million more, for small meshes. Where edges
+/// have more than two faces no bound is known.
+inline std::uint64_t most_carried(std::uint64_t faces) { return 16 * faces * faces + (std::uint64_t{1} << 20); }
 
 /// A pseudo-source in the frame of a half-edge: in its face, or unfolded below it. A point p that a straight line from
 /// it reaches is at distance sigma + |p - (x, y)|.
@@ -39,6 +47,7 @@ struct PseudoSource {
 /// - `void send_wedge(const Apex&, const PseudoSource& from, double to_end, Entry)`: lets all rays from a point of a
 ///   face wait beyond a half-edge of it, `apex.half_edge`, in whose frame the point is. `to_end` is the length of the
 ///   half-edge less from.x, told apart from 0 where rounding would not;
+/// - `std::uint64_t carried() const`: how many lines it has carried across faces in this run;
 /// - optionally `polled` and `seed_face` in place of those here.
 template <class Solver, class Step>
 class VertexPropagation {
@@ -56,11 +65,11 @@ class VertexPropagation {
 
   /// Takes what waits, the nearest first, until nothing is left; nothing is sent on from beyond the limit that `begin`
   /// set. `lower_limit()` is called once in `steps_a_poll` steps, and its result becomes the limit if it is lower.
-  /// Throws Cancelled if the user stops the run.
+  /// Throws Cancelled if the user stops the run, NumericalError if lines multiply beyond `most_carried`.
   template <class LowerLimit>
   void run(const RunContext& context, LowerLimit&& lower_limit) {
     for (std::size_t step = 0; !solver().waiting().empty(); ++step) {
-      if (step % steps_a_poll == 0) context.throw_if_cancelled();
+      if (step % steps_a_poll == 0) context.throw_if_cancelled(), refuse_to_explode();
       if (step % steps_a_poll == steps_a_poll - 1) limit_ = std::min(limit_, lower_limit()), solver().polled();
       solver().next();
     }
@@ -110,6 +119,7 @@ class VertexPropagation {
 
  private:
   Solver& solver() { return static_cast<Solver&>(*this); }
+  void refuse_to_explode();
   bool label_is_lower(Index vertex, double distance) const { return distance < labels_.distance(vertex); }
   void lower(Index vertex, const Label& label, const Step& step);
   void widen(Index vertex, double distance, double length);
@@ -126,6 +136,16 @@ void VertexPropagation<Solver, Step>::begin(bool keep, double limit) {
   keep_ = keep;
   limit_ = limit;
   emissions_ = 0;
+}
+
+template <class Solver, class Step>
+void VertexPropagation<Solver, Step>::refuse_to_explode() {
+  const std::uint64_t faces = surface_.face_count(), most = most_carried(faces);
+  if (solver().carried() <= most) return;
+  throw NumericalError("the search carried more than " + std::to_string(most) + " straight lines across " +
+                           std::to_string(faces) +
+                           " faces: they multiply on this mesh, in which many faces meet at an edge",
+                       "choose a solver that does not carry them, such as edge_dijkstra, or leave needless faces out");
 }
 
 template <class Solver, class Step>

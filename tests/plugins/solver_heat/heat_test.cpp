@@ -85,6 +85,28 @@ TEST(Heat, RefusesWhereHeatIsBelowTheRangeOfNumbers) {
   EXPECT_THROW(from_vertex(heat(), strip, 0), NumericalError);
 }
 
+/// Far beyond the range CGAL's result is no number at any vertex, not even beside the source. The faces are sound, and
+/// the message must not blame them.
+TEST(Heat, NamesTheRangeOfNumbersWhereverAStripLeavesIt) {
+  for (const Index length : {800, 900, 1000, 1500, 3000}) {
+    std::vector<Vec3> positions;
+    std::vector<Triangle> triangles;
+    for (Index i = 0; i <= length; ++i) {
+      positions.push_back({static_cast<double>(i), 0, 0}), positions.push_back({static_cast<double>(i), 1, 0});
+      if (i == 0) continue;
+      triangles.push_back({2 * i - 2, 2 * i, 2 * i + 1}), triangles.push_back({2 * i - 2, 2 * i + 1, 2 * i - 1});
+    }
+    try {
+      from_vertex(heat(), make(positions, triangles), 0);
+      FAIL() << length << " squares";
+    } catch (const NumericalError& error) {
+      EXPECT_NE(error.message().find("690"), std::string::npos) << length << ": " << error.what();
+      EXPECT_NE(error.remedy().find("coarser"), std::string::npos) << length << ": " << error.what();
+      EXPECT_EQ(error.remedy().find("needle"), std::string::npos) << length << ": " << error.what();
+    }
+  }
+}
+
 TEST(Heat, RefusesAFaceWhoseAnglesAreRounding) {
   const MeshPtr mesh = make({{0, 0, 0}, {1, 0, 0}, {0.5, 1e-8, 0}, {0.5, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {2, 1, 3}});
   try {

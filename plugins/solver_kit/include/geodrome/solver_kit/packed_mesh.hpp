@@ -73,6 +73,10 @@ class PackedMesh {
     const Index code = faces_[h / 3].across[h % 3];
     return code != no_index && (code & fan_bit) && fans_[code & ~fan_bit].second - fans_[code & ~fan_bit].first > 2;
   }
+  /// Returns the number of an edge at which more than two faces meet. Precondition: `is_fan`. Numbers are below
+  /// `fan_count()`; not all of them are used.
+  Index fan(Index h) const { return faces_[h / 3].across[h % 3] & ~fan_bit; }
+  std::size_t fan_count() const { return fans_.size(); }
 
   /// Returns the place of a point in the frame of half-edge `h` of its face; `b` counts from corner 0 of the face.
   std::pair<double, double> in_frame(Index h, const std::array<double, 3>& b) const {
