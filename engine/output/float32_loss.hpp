@@ -9,8 +9,9 @@
 
 namespace geodrome {
 
-/// A warning if vertices of a mesh at different places fall together when their coordinates are rounded to float32,
-/// with the number of faces that collapse. `file`: where it is written. O(V log V + F).
+/// A warning if rounding coordinates to float32 moves vertices of a mesh by more than is small against its edges, or
+/// lets vertices at different places fall together, with the number of faces that collapse then. `file`: where it is
+/// written. O(V log V + F).
 std::vector<Finding> float32_loss(const std::filesystem::path& file, const SurfaceMesh& mesh);
 
 }  // namespace geodrome

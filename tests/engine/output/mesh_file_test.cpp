@@ -91,6 +91,18 @@ TEST(MeshWriter, StlAndPlyOfFloatsTellWhichVerticesFallTogether) {
   for (const char* name : {"m.ply", "m.off", "m.obj"}) EXPECT_TRUE(write_mesh(folder / name, far_lattice()).empty());
 }
 
+TEST(MeshWriter, StlTellsWhenVerticesMoveThoughNoneFallTogether) {
+  const TemporaryFolder folder;
+  const auto triangle = [](double size) {
+    return SurfaceMesh({{0, 5405590.2, 0}, {size, 5405590.2, 0}, {0, 5405590.2 + size, 0}}, {{0, 1, 2}});
+  };
+  const std::vector<Finding> told = write_mesh(folder / "m.stl", triangle(2));
+  ASSERT_EQ(told.size(), 1u);
+  EXPECT_NE(told[0].message.find("move vertices by up to 0.2, 10 % of the median edge"), std::string::npos)
+      << told[0].message;
+  EXPECT_TRUE(write_mesh(folder / "m.stl", triangle(100)).empty());
+}
+
 TEST(MeshWriter, WhatFallsTogetherBeforehandIsNoLoss) {
   const TemporaryFolder folder;
   const SurfaceMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 0}, {-0.0, 1.1, 0}}, {{0, 1, 2}, {3, 2, 4}});
