@@ -3,208 +3,21 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
-#include "engine/formats/row_lines.hpp"
+#include "engine/formats/line_reader.hpp"
+#include "engine/formats/off_layout.hpp"
 
 namespace geodrome::input {
 namespace {
 
-/// A way in which the numbers of a file may lie on its lines.
-struct Layout {
-  std::size_t columns = 0;       ///< of a vertex in a stream of numbers; 0: one vertex a line, as long as the first
-  bool faces_on_lines = true;    ///< a face begins its line, and what follows its corners there is its colour
-  bool edges_on_a_line = false;  ///< the number of edges stands on a line after that of the faces
-};
-
-/// A file read with one layout.
-struct Reading {
-  Soup soup;
-  bool complete = false;  ///< every number was used
-  bool coloured = false;  ///< some were taken as colours of faces
-  std::size_t torn = 0;   ///< the line where a row begins that shares lines with others; 0: none does
-};
-
-std::string prefix_of(std::string_view keyword) { return std::string(keyword.substr(0, keyword.find("OFF"))); }
-
-class OffReader {
- public:
-  OffReader(const SourceFile& file, const Layout& layout)
-      : file_(file), layout_(layout), lines_(file, {.comment = '#', .across = true}) {}
-
-  Reading read() {
-    read_counts();
-    layout_.columns == 0 ? read_vertices_of_lines() : read_vertices();
-    layout_.faces_on_lines ? read_faces_of_lines() : read_faces();
-    reading_.complete = !lines_.seek();
-    reading_.torn = rows_.torn();
-    return std::move(reading_);
-  }
-
- private:
-  void read_counts();
-  void read_vertices_of_lines();
-  void read_vertices();
-  void read_faces_of_lines();
-  void read_faces();
-  void read_corners(long long f, long long count);
-  void check_colour(long long f, std::size_t line);
-  long long glued_count(std::string_view keyword) const;
-  long long read_count();
-  void require(bool there, long long done, long long count, const char* elements) const;
-
-  const SourceFile& file_;
-  const Layout layout_;
-  LineReader lines_;
-  long long vertices_ = 0, faces_ = 0;
-  RowLines rows_;
-  Reading reading_;
-};
-
-void check_keyword(const LineReader& lines, std::string_view keyword) {
-  if (keyword.find("OFF") == keyword.npos)
-    lines.reject(InputFault::syntax, "the keyword OFF is missing, found " + quoted(keyword));
-  if (prefix_of(keyword).find_first_of("4n") != std::string::npos)
-    lines.reject(InputFault::unsupported, "vertices are not in three dimensions");
-}
-
-// "OFF490 518 0".
-long long OffReader::glued_count(std::string_view keyword) const {
-  long long count = 0;
-  for (const char digit : keyword.substr(keyword.find("OFF") + 3)) {
-    if (digit < '0' || digit > '9' || count > 99'999'999'999)
-      lines_.reject(InputFault::syntax, quoted(keyword) + " is no keyword");
-    count = 10 * count + (digit - '0');
-  }
-  return count;
-}
-
-long long OffReader::read_count() {
-  const long long count = lines_.integer();
-  if (count < 0) lines_.reject(InputFault::syntax, "a count is negative");
-  return count;
-}
-
-void OffReader::read_counts() {
-  if (!lines_.seek()) reject(file_, InputFault::empty, "the file holds nothing but blanks and comments");
-  const std::string_view keyword = lines_.word();
-  check_keyword(lines_, keyword);
-  if (LineReader same_line = lines_; same_line.word() == "BINARY")
-    lines_.reject(InputFault::unsupported, "binary OFF is not read", "convert it to PLY");
-  if (!lines_.seek()) reject(file_, InputFault::truncated, "the file ends after its keyword");
-  vertices_ = keyword.ends_with("OFF") ? read_count() : glued_count(keyword);
-  faces_ = read_count();
-  constexpr std::size_t vertex_bytes = 6, face_bytes = 2;  // "0 0 0\n" and "0\n"
-  check_announced(file_, "vertices", vertices_, vertex_bytes, lines_.bytes_left());
-  check_announced(file_, "faces", faces_, face_bytes, lines_.bytes_left());
-  if (!lines_.at_line_end() && layout_.columns == 0)
-    lines_.further_numbers();  // the number of edges, which nobody needs
-  else if (!lines_.at_line_end() || layout_.edges_on_a_line)
-    read_count();
-  if (!lines_.at_line_end() && layout_.columns == 0)
-    lines_.reject(InputFault::syntax, "the line goes on after the number of edges");
-  reading_.soup.positions.reserve(vertices_);
-  reading_.soup.face_end.reserve(faces_);
-  reading_.soup.corners.reserve(3 * faces_);
-}
-
-void OffReader::require(bool there, long long done, long long count, const char* elements) const {
-  if (there) return;
-  reject(file_, InputFault::truncated,
-         "the file ends after " + std::to_string(done) + " of " + std::to_string(count) + " " + elements);
-}
-
-void OffReader::read_vertices_of_lines() {
-  lines_.go_across(false);
-  std::size_t further = 0;  // normals, colours, texture
-  for (long long v = 0; v < vertices_; ++v) {
-    require(lines_.next(), v, vertices_, "vertices");
-    reading_.soup.positions.push_back(lines_.point());
-    const std::size_t found = lines_.further_numbers();
-    if (v == 0) further = found;
-    if (found != further)
-      lines_.reject(InputFault::syntax, "the line has " + std::to_string(3 + found) +
-                                            " numbers, the first vertex has " + std::to_string(3 + further));
-  }
-  lines_.go_across(true);
-}
-
-void OffReader::read_vertices() {
-  for (long long v = 0; v < vertices_; ++v) {
-    require(lines_.seek(), v, vertices_, "vertices");
-    rows_.begin(lines_);
-    reading_.soup.positions.push_back(lines_.point());
-    for (std::size_t i = 3; i < layout_.columns; ++i) lines_.unused_number();
-    rows_.end(lines_);
-  }
-}
-
-void OffReader::read_corners(long long f, long long count) {
-  Soup& soup = reading_.soup;
-  for (long long i = 0; i < count; ++i)
-    soup.corners.push_back(checked_corner(file_, f, lines_.integer(), soup.positions.size()));
-  soup.face_end.push_back(soup.corners.size());
-}
-
-// On a line of its own a face may have a colour. Where it goes on to a second line, numbers that follow it there tell
-// rather that a corner is missing.
-void OffReader::check_colour(long long f, std::size_t line) {
-  if (lines_.at_line_end()) return;
-  const std::string face = "line " + std::to_string(line) + ": face " + std::to_string(f);
-  const char* const remedy = "give every face all its corners, and a line of its own";
-  if (lines_.line() != line)
-    reject(file_, InputFault::syntax,
-           face + " goes on to line " + std::to_string(lines_.line()) + ", where more numbers follow it", remedy);
-  const std::size_t numbers = lines_.further_numbers();
-  if (numbers == 2 || numbers > 4)
-    reject(file_, InputFault::syntax,
-           face + " is followed by " + std::to_string(numbers) + " numbers, and a colour has 1, 3 or 4", remedy);
-  reading_.coloured = true;
-}
-
-void OffReader::read_faces_of_lines() {
-  if (!lines_.at_line_end()) lines_.reject(InputFault::syntax, "the line goes on after the last vertex");
-  for (long long f = 0; f < faces_; ++f) {
-    require(lines_.next(), f, faces_, "faces");
-    const std::size_t line = lines_.line();
-    read_corners(f, read_count());
-    check_colour(f, line);
-  }
-}
-
-/// Three corners or more, of which none follows itself: what numbers that are no face seldom look like.
-bool is_polygon(std::span<const Index> corners) {
-  return corners.size() >= 3 && corners.front() != corners.back() &&
-         std::ranges::adjacent_find(corners) == corners.end();
-}
-
-void OffReader::read_faces() {
-  for (long long f = 0; f < faces_; ++f) {
-    require(lines_.seek(), f, faces_, "faces");
-    rows_.begin(lines_);
-    read_corners(f, read_count());
-    if (!is_polygon(reading_.soup.face(f)))
-      lines_.reject(InputFault::syntax, "face " + std::to_string(f) + " is no polygon");
-    rows_.end(lines_);
-  }
-}
-
-/// The numbers that a vertex may have by the keyword: normal, colour with or without alpha, texture.
-std::vector<std::size_t> columns_of(const SourceFile& file) {
-  const std::string prefix = prefix_of(first_word(file));
-  std::size_t columns = 3;
-  if (prefix.find('N') != prefix.npos) columns += 3;
-  if (prefix.find("ST") != prefix.npos) columns += 2;
-  if (prefix.find('C') == prefix.npos) return {columns};
-  return {columns + 4, columns + 3};
-}
-
-std::vector<Layout> layouts_of(const SourceFile& file) {
-  std::vector<std::size_t> columns = columns_of(file);
+std::vector<OffLayout> layouts_of(const SourceFile& file) {
+  std::vector<std::size_t> columns = off_columns(file);
   columns.insert(columns.begin(), 0);
-  std::vector<Layout> layouts;
+  std::vector<OffLayout> layouts;
   for (const bool edges_on_a_line : {false, true})
     for (const std::size_t count : columns)
       for (const bool faces_on_lines : {true, false}) layouts.push_back({count, faces_on_lines, edges_on_a_line});
@@ -218,12 +31,12 @@ bool same_numbers(const Soup& a, const Soup& b) {
 
 /// The reading that uses every number of the file; none if there is none. Rejects a file with several that differ.
 /// `known`: what is complete already, if anything is.
-std::optional<Reading> read_completely(const SourceFile& file, std::span<const Layout> layouts,
-                                       std::optional<Reading> known) {
-  for (const Layout& layout : layouts) {
-    Reading reading;
+std::optional<OffReading> read_completely(const SourceFile& file, std::span<const OffLayout> layouts,
+                                          std::optional<OffReading> known) {
+  for (const OffLayout& layout : layouts) {
+    OffReading reading;
     try {
-      reading = OffReader(file, layout).read();
+      reading = read_off_with(file, layout);
     } catch (const InputError&) {
       continue;
     }
@@ -245,46 +58,51 @@ void reject_stream(const SourceFile& file) {
   std::size_t counts = 0;
   while (!lines.word().empty()) ++counts;
   if (counts <= 3) return;
-  OffReader(file, {columns_of(file)[0], false, false}).read();
+  read_off_with(file, {off_columns(file)[0], false, false});
   lines.reject(InputFault::syntax, "the vertices and faces announced here do not use all numbers of the file");
 }
 
-void note_torn_rows(const Reading& reading, Soup& soup) {
-  if (reading.torn == 0) return;
-  soup.findings.push_back({Finding::Severity::warning,
-                           "rows_across_lines",
-                           "Vertices or faces begin and end within lines, the first in line " +
-                               std::to_string(reading.torn) + "; the numbers were read one after the other.",
-                           1,
-                           {}});
+void warn(Soup& soup, const char* code, const std::string& message) {
+  soup.findings.push_back({Finding::Severity::warning, code, message, 1, {}});
+}
+
+Soup told(OffReading reading) {
+  if (reading.torn != 0)
+    warn(reading.soup, "rows_across_lines",
+         "Vertices or faces begin and end within lines, the first in line " + std::to_string(reading.torn) +
+             "; the numbers were read one after the other.");
+  if (reading.mixed != 0)
+    warn(reading.soup, "colours_differ",
+         "Colours of faces differ in length, which shows first in line " + std::to_string(reading.mixed) +
+             ": is a corner missing?");
+  return std::move(reading.soup);
 }
 
 }  // namespace
 
 Soup read_off(const SourceFile& file) {
-  const std::vector<Layout> layouts = layouts_of(file);
-  std::optional<Reading> by_lines;
+  const std::vector<OffLayout> layouts = layouts_of(file);
+  std::optional<OffReading> by_lines;
   std::optional<InputError> fault;
   try {
-    by_lines = OffReader(file, layouts[0]).read();
+    by_lines = read_off_with(file, layouts[0]);
   } catch (const InputError& error) {
     fault = error;
   }
   const bool complete = by_lines && by_lines->complete;
-  if (complete && !by_lines->coloured) return std::move(by_lines->soup);
+  if (complete && !by_lines->coloured) return told(std::move(*by_lines));
   // Numbers taken as colours may be faces, and none else.
   const auto others = complete ? std::span(layouts).subspan(1, 1) : std::span(layouts).subspan(1);
-  std::optional<Reading> found = read_completely(file, others, complete ? std::move(by_lines) : std::nullopt);
+  std::optional<OffReading> found = read_completely(file, others, complete ? std::move(by_lines) : std::nullopt);
   if (!found && fault) {
     reject_stream(file);
     throw *fault;
   }
   if (!found) {
     note_trailing_data(by_lines->soup);
-    return std::move(by_lines->soup);
+    return told(std::move(*by_lines));
   }
-  note_torn_rows(*found, found->soup);
-  return std::move(found->soup);
+  return told(std::move(*found));
 }
 
 }  // namespace geodrome::input

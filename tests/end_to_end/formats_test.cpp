@@ -46,7 +46,7 @@ class InputFiles : public ::testing::Test {
     options.push_back("--input-only");
     const Outcome outcome = run("check", name, bytes, options);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    EXPECT_NE(outcome.out.find(", 3 points, diagonal 5.385"), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find(", 3 points, diagonal 5.099"), std::string::npos) << outcome.out;
   }
 
   TemporaryFolder folder_;

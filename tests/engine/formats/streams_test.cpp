@@ -94,9 +94,20 @@ TEST(InputStreams, OffTakesWhatItsKeywordAnnouncesOnLinesOfItsOwn) {
 }
 
 TEST(InputStreams, OffTakesColoursOfFacesUntilTheLineEnds) {
-  for (const std::string colour : {"", " 7", " 255 0 0", " 0.5 0.5 0.5 1.0", " 0 1 2 # c"})
+  for (const std::string colour : {"", " 255 0 0", " 0.5 0.5 0.5 1.0", " 0 1 2 # c"})
     expect_square("s.off", "OFF\n4 2 0\n" + square + "3 0 1 2" + colour + "\n3 0 2 3\n");
+  expect_square("s.off", "OFF\n4 2 0\n" + square + "3 0 1 2 7\n3 0 2 3 8\n");
   expect_square("s.off", "OFF\n4 2 0\n" + square + "3 0 1 2 3 0 2 3\n");  // no colour: the other face
+}
+
+TEST(InputStreams, OffTellsOfColoursThatDifferInLength) {
+  const auto told = [](const std::string& faces) {
+    return has_finding(read_bytes("s.off", "OFF\n4 2 0\n" + square + faces), "colours_differ");
+  };
+  EXPECT_TRUE(told("3 0 1 2 3 0 0\n3 0 1 3 3 0 0 2\n"));  // the second may be the corner 2 and the colour 3 3 0 0
+  EXPECT_TRUE(told("3 0 1 2 7\n3 0 2 3\n"));
+  EXPECT_FALSE(told("3 0 1 2 1 0 0\n3 0 2 3\n"));
+  EXPECT_FALSE(told("3 0 1 2 1 0 0 1\n3 0 2 3 1 1 1 1\n"));
 }
 
 TEST(InputStreams, OffRefusesColoursThatMayBeFaces) {
