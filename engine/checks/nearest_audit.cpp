@@ -46,6 +46,7 @@ class NearestAuditor {
       search_from_targets();
     }
     if (result_.scale > 0) result_.worst /= result_.scale;
+    if (result_.from_sources + result_.from_targets == 0) result_.not_audited = result_.search_not_audited;
     return result_;
   }
 

@@ -20,10 +20,10 @@ struct GivenNearest {
 
 /// The audit of such distances.
 struct NearestAudit {
-  std::string not_audited;                         ///< the reason, empty if it was
-  std::string search_not_audited;                  ///< the reason why the very search was not repeated, empty if it was
-  AuditResult search;                              ///< of the very search, from all sources with their start distances
-  std::size_t targets = 0;                         ///< that were held against other searches
+  std::string not_audited;         ///< the reason, empty if it was by more than reach and straight lines
+  std::string search_not_audited;  ///< the reason why the very search was not repeated, empty if it was
+  AuditResult search;              ///< of the very search, from all sources with their start distances
+  std::size_t targets = 0;         ///< that were held against other searches
   std::size_t from_sources = 0, from_targets = 0;  ///< searches from one source, and from one target to all sources
   std::size_t missed = 0, impossible = 0;  ///< without a distance beside a source's component, and with one outside
   double scale = 0;                        ///< the largest distance or coordinate

@@ -112,6 +112,32 @@ TEST_F(NearestAudit, OfACloudIsAuditedToo) {
   EXPECT_EQ(nearest("t.xyz", "rows.txt", "faulty_several_sources", {"--audit", "1"}).status, 5);
 }
 
+TEST_F(NearestAudit, RowsOfAMatrixAreHeldAgainstTheSearchesThatAreAudited) {
+  const auto row = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"distances", file("bumpy.ply"), "--sources",
+                                 "3",         "--plugin-path",   GEODROME_BINARY_DIR "/tests/faulty_solvers",
+                                 "--report",  file("r.json")};
+    all.insert(all.end(), more.begin(), more.end());
+    return run_geodrome(folder_, all);
+  };
+  const Outcome outcome = row({"-o", file("d.npy"), "--solver", "faulty_kept_targets"});
+  EXPECT_EQ(outcome.status, 5) << outcome.out;
+  EXPECT_NE(outcome.err.find("the audit failed: the distance of target "), std::string::npos) << outcome.err;
+  EXPECT_GT(report()["audit"]["worst_row"], 1e-3);
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"-o", file("d.npy")},
+                                               {"-o", file("f.npy"), "--dtype", "float32"},
+                                               {"-o", file("l.npy"), "--max-distance", "0.8"}}) {
+    EXPECT_EQ(row(more).status, 0);
+    EXPECT_EQ(report()["audit"]["worst_row"], 0);
+  }
+}
+
+TEST_F(NearestAudit, WhatNoGuaranteeCoversIsSaidNotToBeAudited) {
+  ASSERT_EQ(nearest("bumpy.ply", "late.txt", "fast_marching").status, 0);
+  EXPECT_EQ(report()["nearest"]["audit"]["audited"], false);
+  EXPECT_NE(report()["audit"]["because"].get<std::string>().find("any_point"), std::string::npos);
+}
+
 TEST_F(NearestAudit, ReachedAtInfinityIsABrokenPromise) {
   const Outcome outcome = run_geodrome(
       folder_, {"distances", file("square.off"), "--sources", "0,1", "--nearest", file("n.csv"), "--solver",
