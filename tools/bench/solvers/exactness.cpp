@@ -45,9 +45,12 @@ struct SourcePair {
   Source ours, theirs;
 };
 
+/// The mesh times `factor`, moved to the origin before: far from it the product would move vertices by the rounding of
+/// their coordinates, which is not small against the mesh, and distances would differ with no fault of the solver.
 MeshPtr scaled_mesh(const SurfaceMesh& mesh, double factor) {
   std::vector<Vec3> positions;
-  for (const Vec3& p : mesh.positions()) positions.push_back(factor * p);
+  const Vec3 origin = mesh.positions().front();
+  for (const Vec3& p : mesh.positions()) positions.push_back(factor * (p - origin));
   return std::make_shared<const SurfaceMesh>(std::move(positions),
                                              std::vector<Triangle>(mesh.triangles().begin(), mesh.triangles().end()));
 }

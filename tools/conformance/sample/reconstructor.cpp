@@ -2,9 +2,12 @@
 // Every reconstructor: an oriented manifold of the right shape, or a refusal that says where.
 #include <algorithm>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 #include "engine/checks/surface_facts.hpp"
 #include "tools/conformance/sample/reconstructor_trial.hpp"
+#include "tools/shapes/random.hpp"
 
 namespace geodrome::conformance {
 namespace {
@@ -116,6 +119,37 @@ void again(ReconstructorTrial& t) {
   t.holds(std::ranges::equal(a.mesh->triangles(), b.mesh->triangles()), "the same faces");
 }
 
+/// The surface of a block of a cubic lattice: nothing but equal lengths and radii.
+PointSample block_lattice(int steps) {
+  PointSample sample;
+  const auto is_end = [&](int i) { return i == 0 || i == steps; };
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= steps; ++j)
+      for (int k = 0; k <= steps; ++k)
+        if (is_end(i) || is_end(j) || is_end(k))
+          sample.points.push_back({static_cast<double>(i), static_cast<double>(j), static_cast<double>(k)});
+  return sample;
+}
+
+/// Between the calls memory of many sizes is taken and partly given back, so that addresses come in other orders.
+void ties(ReconstructorTrial& t) {
+  shapes::Random random(1);
+  std::vector<std::vector<char>> held;
+  for (const auto& [name, sample] :
+       {std::pair("block lattice", block_lattice(4)), {"plane lattice", plane_lattice(12, 9)}}) {
+    const Staged s = t.staged(sample);
+    std::vector<Triangle> first;
+    for (int call = 0; call < 12; ++call) {
+      const Reconstruction made = sound(t, s, name);
+      const auto faces = made.mesh->triangles();
+      if (call == 0) first.assign(faces.begin(), faces.end());
+      t.holds(std::ranges::equal(faces, first), "the same faces", name, ", call ", call);
+      for (int i = 0; i < 500; ++i) held.emplace_back(1 + random.index(600));
+      std::erase_if(held, [&](const auto&) { return random.uniform() < 0.5; });
+    }
+  }
+}
+
 void cancelled(ReconstructorTrial& t) {
   const Staged s = t.staged(points_of(bumpy_torus(30, 14, 0.02, 7)));
   SampleContext context;
@@ -137,6 +171,8 @@ DemandTable reconstructor_demands() {
       demand<ReconstructorTrial, clusters>("reconstructor.clusters", "two clusters become two components"),
       demand<ReconstructorTrial, no_surface>("reconstructor.no_surface", "a line and two points are refused"),
       demand<ReconstructorTrial, again>("reconstructor.again", "the same sample gives the same faces again"),
+      demand<ReconstructorTrial, ties>("reconstructor.ties",
+                                       "a lattice, in which all is equal, gives the same faces in every call"),
       demand<ReconstructorTrial, cancelled>("reconstructor.cancelled", "a cancelled run throws Cancelled"),
   };
 }
