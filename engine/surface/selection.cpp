@@ -215,6 +215,9 @@ void for_each_line(std::istream& file, const std::string& name, const char* synt
 }
 
 Selection parse_file(const std::string& name) {
+  if (name.empty())
+    throw InputError(InputFault::io, "the list '@' names no file",
+                     "write '@FILE' with the path of a file that may be read");
   TextInput lines(input::read_source(name).bytes);
   Selection selection{.file = name};
   std::uint64_t before = 0;

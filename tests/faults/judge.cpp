@@ -23,16 +23,18 @@ std::uint64_t rows_to_compute(const std::string& text) {
 
 }  // namespace
 
-std::optional<std::uint64_t> rows_on_record(const std::string& partial) {
+std::uint64_t rows_on_record(const Files& files, const Job& job) {
+  const auto found = files.find(job.outputs[0] + ".partial");
+  if (found == files.end()) return 0;
+  const std::string& partial = found->second;
   constexpr std::size_t trailer = 64, header = 128;
-  std::uint64_t numbers[4];  // version and bytes of an entry, rows, columns, bytes of the fingerprint
   if (partial.size() < header + trailer || partial.compare(partial.size() - trailer, 8, "GEODROME") != 0)
-    return std::nullopt;
+    return files.contains(job.outputs[0] + ".partial-footer") ? job.rows : 0;
+  std::uint64_t numbers[3];  // version and bytes of an entry, rows, columns
   std::memcpy(numbers, partial.data() + partial.size() - trailer + 8, sizeof numbers);
-  const std::uint64_t scalar = numbers[0] >> 32, rows = numbers[1], columns = numbers[2];
-  const std::size_t first = header + rows * columns * scalar;
+  const std::size_t first = header + numbers[1] * numbers[2] * (numbers[0] >> 32);
   std::uint64_t count = 0, checksum = 0;
-  for (std::uint64_t row = 0; row < rows; ++row) {
+  for (std::uint64_t row = 0; row < job.rows; ++row) {
     std::memcpy(&checksum, partial.data() + first + row * sizeof checksum, sizeof checksum);
     count += checksum != 0;
   }
@@ -102,9 +104,8 @@ std::string Judge::complaint_of_second_run() const {
   const Ended ended = lab_.run(arguments);
   if (ended.status != 0) return "run again, it ends with " + std::to_string(ended.status) + ": " + ended.err;
   if (const std::string text = complaint_of_outputs(lab_.files(), {}, true); !text.empty()) return "run again: " + text;
-  const auto partial = left.find(job_.outputs[0] + ".partial");
-  if (job_.rows == 0 || partial == left.end()) return {};
-  const std::uint64_t there = rows_on_record(partial->second).value_or(0), computed = rows_to_compute(ended.err);
+  if (job_.rows == 0) return {};
+  const std::uint64_t there = rows_on_record(left, job_), computed = rows_to_compute(ended.err);
   if (computed + there <= job_.rows) return {};
   return "run again, it computes " + std::to_string(computed) + " rows though " + std::to_string(there) + " of " +
          std::to_string(job_.rows) + " are on record";

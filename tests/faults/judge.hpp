@@ -44,7 +44,8 @@ class Judge {
   double seconds_ = 0;
 };
 
-/// Rows of an unfinished matrix that are on record in its footer; none if there is no footer.
-std::optional<std::uint64_t> rows_on_record(const std::string& partial);
+/// Rows of the job's unfinished matrix that are on record among the files: in its footer, or all, where that was cut
+/// off and saved to give the matrix its name.
+std::uint64_t rows_on_record(const Files& files, const Job& job);
 
 }  // namespace geodrome::faults

@@ -73,8 +73,7 @@ void kill_and_resume(Campaign& campaign, const Judge& judge, int times) {
     const Ended ended = campaign.lab.run(resumed, {.signal = SIGKILL, .after = any_moment(campaign, judge)});
     std::string complaint = judge.complaint(ended, expected_of(SIGKILL));
     const Files files = campaign.lab.files();
-    const auto partial = files.find(job.outputs[0] + ".partial");
-    const std::uint64_t now = partial == files.end() ? 0 : rows_on_record(partial->second).value_or(0);
+    const std::uint64_t now = rows_on_record(files, job);
     const bool published = files.contains(job.outputs[0]);
     if (complaint.empty() && !published && now < rows)
       complaint = std::to_string(rows) + " rows were on record, and now " + std::to_string(now);

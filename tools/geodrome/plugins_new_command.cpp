@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <cerrno>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <system_error>
 
 #include "geodrome/engine/installed.hpp"
 #include "geodrome/plugin.hpp"
@@ -50,8 +52,8 @@ std::string filled_in(const std::string& text, const NewPluginArguments& argumen
   return replaced(replaced(staged, "template_name", arguments.name), "TemplateName", class_name(arguments.name));
 }
 
-InputError unwritable(const fs::path& path) {
-  return InputError(InputFault::io, path.string() + " cannot be written",
+InputError unwritable(const fs::path& path, const std::string& reason) {
+  return InputError(InputFault::io, path.string() + " cannot be written: " + reason,
                     "check the folder, or choose another with -o");
 }
 
@@ -62,7 +64,7 @@ void copy_file(const fs::path& from, const fs::path& to, const NewPluginArgument
   std::ofstream out(to, std::ios::binary);
   out << filled_in(text, arguments);
   out.close();
-  if (!out) throw unwritable(to);
+  if (!out) throw unwritable(to, std::generic_category().message(errno));
   std::cout << to.string() << "\n";
 }
 
@@ -83,7 +85,7 @@ int start_plugin(const NewPluginArguments& arguments) {
   if (fs::exists(target))
     throw InputError(InputFault::io, target.string() + " is there already", "choose another folder with -o");
   std::error_code error;
-  if (!fs::create_directories(target, error)) throw unwritable(target);
+  if (!fs::create_directories(target, error)) throw unwritable(target, error.message());
   try {
     for (const auto& [name, source] : files) copy_file(source, target / name, arguments);
   } catch (...) {
