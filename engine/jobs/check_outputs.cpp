@@ -27,6 +27,7 @@ void check_place(const fs::path& file) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) refuse(file, "there is no folder " + folder.string(), "make it first");
   const fs::file_status status = fs::status(file, error);
+  if (status.type() == fs::file_type::none) refuse(file, error.message(), "choose another name");
   if (fs::is_directory(status)) refuse(file, "is a directory", "name a file inside it");
   if (fs::exists(status) && !fs::is_regular_file(status)) refuse(file, "is no regular file", "choose another name");
   // What is written gets its name by renaming, so the folder counts, not the file that may be there.

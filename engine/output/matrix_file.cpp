@@ -38,7 +38,7 @@ void check_entries(const MatrixFile::Spec& spec, const TextFormat& text) {
 struct MatrixFile::Impl {
   Impl(const Spec& spec, const MatrixFormat& format, bool resume)
       : format(format), partial(spec, format.dense, text_room(spec, format), resume) {
-    fs::remove(text_file_of(spec.out));  // of a run that died while it wrote the text
+    remove_if_there(text_file_of(spec.out));  // of a run that died while it wrote the text
   }
 
   static std::uint64_t text_room(const Spec& spec, const MatrixFormat& format) {

@@ -82,7 +82,7 @@ PartialMatrix::PartialMatrix(const MatrixFile::Spec& spec, const DenseFormat& fo
     refuse_if_without_footer();
     stored = read_footer(file_, format);
   }
-  fs::remove(saved_footer);
+  remove_if_there(saved_footer);
   if (stored) {
     adopt(*stored, format);
     return;

@@ -118,6 +118,10 @@ bool PosixFile::is_at_its_path() const {
   return ::stat(path_.c_str(), &there) == 0 && here.st_dev == there.st_dev && here.st_ino == there.st_ino;
 }
 
+void remove_if_there(const std::filesystem::path& file) {
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) fail_io("remove", file, system_words());
+}
+
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to) {
   if (::rename(from.c_str(), to.c_str()) != 0) fail_io("write", to, system_words());
   const std::filesystem::path folder = to.has_parent_path() ? to.parent_path() : ".";

@@ -45,6 +45,9 @@ class PosixFile {
   int descriptor_ = -1;
 };
 
+/// Removes a file if it is there. Throws InputError (io).
+void remove_if_there(const std::filesystem::path& file);
+
 /// Renames, replacing `to`, and waits until that is on the disk. Throws InputError (io).
 void rename_durably(const std::filesystem::path& from, const std::filesystem::path& to);
 

@@ -17,10 +17,16 @@ std::unique_ptr<const PairOracle> make_oracle(const PreparedSolver& solver, std:
                     "report this to the author of " + solver.plugin.info.file.string());
 }
 
+/// False too for a name that cannot be looked up, which cannot be written either.
+bool is_there(const std::filesystem::path& file) {
+  std::error_code ignored;
+  return std::filesystem::exists(file, ignored);
+}
+
 /// A job that made the same file meanwhile was first: its file stays.
 void save(ReadyOracle& ready, const PreparedSolver& solver, const std::filesystem::path& index,
           const IndexIdentity& identity, Observer& observer) {
-  if (std::filesystem::exists(index)) {
+  if (is_there(index)) {
     observer.log(LogLevel::warning, index.string() + " appeared while the index was built, and was left as it is");
     return;
   }
@@ -51,7 +57,7 @@ ReadyOracle ready_oracle(const SurfaceMesh& mesh, const PreparedSolver& solver, 
     return ready;
   }
   const IndexIdentity identity = identity_of(mesh, solver.plugin.info, solver.plugin.options, settings.seed);
-  ready.was_read = std::filesystem::exists(index);
+  ready.was_read = is_there(index);
   const Stopwatch watch;
   if (ready.was_read) {
     std::ifstream saved = open_index(index, identity);

@@ -22,7 +22,8 @@ void check_arguments(const PairJob& job) {
   if (job.out.empty()) throw OptionError("nothing to write", remedies::pairs_output());
   check_ending(job.out, Content::pairs);
   check_ending(job.report, Content::report);
-  const bool index_is_read = !job.index.empty() && std::filesystem::exists(job.index);
+  std::error_code ignored;
+  const bool index_is_read = !job.index.empty() && std::filesystem::exists(job.index, ignored);
   std::vector<std::filesystem::path> read{job.input, job.pairs}, written{job.out, job.report};
   if (!job.index.empty()) (index_is_read ? read : written).push_back(job.index);
   check_outputs(written, read);
