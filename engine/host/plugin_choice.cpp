@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/host/whole_path.hpp"
+
 namespace geodrome {
 namespace {
 
@@ -23,7 +25,7 @@ PluginChoice parse_choice(std::string_view stage, std::string_view text) {
   PluginChoice choice;
   if (end < text.size()) choice.options = text.substr(end + 1);
   if (target.ends_with(extension) || target.find('/') != std::string_view::npos) {
-    choice.file = std::filesystem::weakly_canonical(std::filesystem::absolute(target));
+    choice.file = whole_path(target);
     return choice;
   }
   if (target.size() > stage.size() && target.starts_with(stage) && target[stage.size()] == '_')

@@ -12,6 +12,7 @@
 #include "engine/host/plugin_choice.hpp"
 #include "engine/host/registry.hpp"
 #include "engine/host/vetting.hpp"
+#include "engine/host/whole_path.hpp"
 
 namespace geodrome {
 namespace {
@@ -125,7 +126,7 @@ PluginHost::PluginHost(std::vector<fs::path> extra_folders) {
     if (!is_folder(folder))
       throw OptionError("the plugin folder '" + folder.string() + "' is not there", "give a folder that holds plugins");
   const auto add = [this](const fs::path& folder) {
-    const fs::path known = fs::weakly_canonical(fs::absolute(folder));
+    const fs::path known = whole_path(folder);
     if (std::find(folders_.begin(), folders_.end(), known) == folders_.end()) folders_.push_back(known);
   };
   for (const fs::path& folder : extra_folders) add(folder);
@@ -148,7 +149,7 @@ PluginListing PluginHost::list() const {
 }
 
 PluginInfo PluginHost::inspect(const fs::path& file) const {
-  const fs::path whole = fs::weakly_canonical(fs::absolute(file));
+  const fs::path whole = whole_path(file);
   if (!is_file(whole)) throw OptionError("plugin " + whole.string() + " is not there", "name another file");
   auto result = vet(whole);
   if (auto* plugin = std::get_if<PluginInfo>(&result)) return std::move(*plugin);

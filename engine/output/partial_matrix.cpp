@@ -52,8 +52,17 @@ PosixFile open_locked(const fs::path& partial, std::unique_ptr<LockFile>& lock_f
   }
 }
 
+/// The longest of the names beside `out` must be possible, before anything is created.
+void check_name(const fs::path& out) {
+  std::error_code error;
+  if (fs::status(saved_footer_of(out), error).type() == fs::file_type::none)
+    throw InputError(InputFault::io, "cannot write " + saved_footer_of(out).string() + ": " + error.message(),
+                     "choose another name");
+}
+
 PosixFile open_with_room(const fs::path& out, const DenseLayout& layout, std::uint64_t room_beside,
                          std::unique_ptr<LockFile>& lock_file) {
+  check_name(out);
   const fs::path partial = partial_of(out);
   const std::uint64_t available = available_room(out);
   if (const std::uint64_t all = needed_room(layout, 0, room_beside); all > available && !file_exists(partial))

@@ -41,6 +41,24 @@ TEST_F(ExitStatus, IsThreeForBadInputAndUnwritableOutput) {
   expect(run({"distances", mesh(), "-o", file("d.npy"), "--sources", "@" + file("list.txt")}), 3, "line 2");
 }
 
+/// Names that the system cannot look up: too long, or links in a circle.
+TEST_F(ExitStatus, IsTwoOrThreeForNamesThatCannotBe) {
+  const std::string name(300, 'a');
+  std::filesystem::create_symlink("loop", folder_ / "loop");
+  for (const std::string& solver : {"./" + name + ".so", file("loop") + "/a.so"})
+    expect(run({"distances", mesh(), "-o", file("d.npy"), "--solver", solver}), 2, "is not there");
+  expect(run({"plugins", "show", "./" + name}), 2, "is not there");
+  write_bytes(folder_ / "p.txt", "0, 1\n");
+  expect(run({"queries", mesh(), "--pairs", file("p.txt"), "-o", file("d.npy"), "--solver", "aleksandrov", "--index",
+              file(name)}),
+         3, "cannot be written");
+  expect(run({"distances", mesh(), "--sources", "0", "-o", file(name + ".npy")}), 3, "cannot be written");
+  // The file itself may have that name, those that are needed while it grows may not.
+  const std::string longest = file(std::string(240, 'a') + ".npy");
+  expect(run({"distances", mesh(), "--sources", "0", "-o", longest}), 3, "cannot write");
+  EXPECT_FALSE(std::filesystem::exists(longest + ".partial"));
+}
+
 TEST_F(ExitStatus, IsThreeForNeedsAndProvidesThatAreNotMet) {
   write_bytes(folder_ / "book.off", "OFF\n5 3 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n0 -1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
   expect(run({"distances", file("book.off"), "-o", file("d.npy"), "--solver", "cgal"}), 3, "nonmanifold");

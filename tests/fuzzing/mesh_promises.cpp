@@ -89,7 +89,8 @@ std::string binary_body(const input::Soup& soup, bool big) {
 }  // namespace
 
 void demand_sound(const input::Soup& soup, std::size_t bytes) {
-  demand(soup.positions.size() <= bytes && soup.corners.size() <= bytes && soup.face_count() <= bytes,
+  // A byte of a strip of triangles stands for a whole one.
+  demand(soup.positions.size() <= bytes && soup.corners.size() <= 3 * bytes && soup.face_count() <= bytes,
          "no more elements than bytes");
   for (const Index corner : soup.corners) demand(corner < soup.positions.size(), "corners are in range");
   demand(std::ranges::is_sorted(soup.face_end), "faces follow one another");

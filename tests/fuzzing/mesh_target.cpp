@@ -32,7 +32,7 @@ SourceFile file_of(const Format& format, std::string_view bytes) {
 
 /// Of a format, or of whatever the content tells where `format` is null.
 Soup read(const Format* format, const SourceFile& file, bool weighted) {
-  if (!format) return input::parse(file, weighted ? weight_property : "");
+  if (!format) return input::parse(file, {weighted ? weight_property : ""});
   return weighted && format->read_weighted ? format->read_weighted(file, weight_property) : format->read(file);
 }
 
