@@ -40,6 +40,7 @@ class PathTracer {
     double distance = infinity;
     Step step;
   };
+  void append(const SurfacePoint& point);
   Index follow(Step step);
   void look_below(const Step& from, Index half_edge, double x, double most, Onward& best) const;
   void look_for_origin(const Step& from, Index half_edge, double x, Onward& best) const;
