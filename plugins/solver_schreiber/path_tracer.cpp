@@ -2,15 +2,25 @@
 #include "plugins/solver_schreiber/path_tracer.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "plugins/common/exact/tolerances.hpp"
 #include "plugins/solver_schreiber/claimant.hpp"
 
 namespace geodrome::schreiber {
 
+/// A shortest path meets no vertex and no edge twice. One that does, through edges without length, would never end.
+void PathTracer::append(const SurfacePoint& point) {
+  const SurfaceMesh& mesh = surface_.mesh();
+  if (out_.size() > mesh.vertex_count() + 3 * mesh.face_count())
+    throw NumericalError("the path runs in a circle near face " + std::to_string(point.face),
+                         "merge the vertices at one place, or choose another solver");
+  out_.push_back(point);
+}
+
 void PathTracer::from_vertex(Index vertex) {
   while (labels_[vertex].corner != no_index) {
-    out_.push_back(surface_.mesh().at_vertex(surface_.original_vertex(vertex)));
+    append(surface_.mesh().at_vertex(surface_.original_vertex(vertex)));
     const Step& step = labels_.step(vertex);
     vertex = step.half_edge != no_index ? follow(step, {labels_.distance(vertex), step.origin}) : step.vertex;
     if (vertex == no_index) return;
@@ -25,7 +35,7 @@ void PathTracer::from_crossing(const Step& step) {
 /// Appends the crossings up to the pseudo-source. Returns its vertex, or no_index if it is a source that is no vertex.
 Index PathTracer::follow(Step step, const Start& start) {
   for (;;) {
-    out_.push_back(surface_.original(surface_.point_on(step.half_edge, step.crossing)));
+    append(surface_.original(surface_.point_on(step.half_edge, step.crossing)));
     Onward best, over_corner;
     surface_.for_each_across(step.half_edge, [&](Index below, bool mirrored) {
       const double x = mirrored ? step.crossing : surface_.length(step.half_edge) - step.crossing;

@@ -46,6 +46,7 @@ class PathTracer {
     double distance;
     Index origin;
   };
+  void append(const SurfacePoint& point);
   Index follow(Step step, const Start& start);
   bool leads_on(const Start& start, Index origin) const;
   void look_below(const Step& from, const Start& start, Index half_edge, double x, double most, Onward& best) const;
