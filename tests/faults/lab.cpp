@@ -85,7 +85,11 @@ Lab::Lab(std::string program, const fs::path& place)
 
 void Lab::prepare(const Job& job, const std::string& old) {
   for (const auto& entry : fs::directory_iterator(folder_)) fs::remove_all(entry.path());
-  for (const std::string& name : job.reads) testing::write_bytes(path(name), inputs_.at(name));
+  for (const std::string& name : job.reads) {
+    testing::write_bytes(path(name), inputs_.at(name));
+    // Long ago, so that every change during the run shows in the time of change, however coarse that is.
+    fs::last_write_time(path(name), fs::file_time_type::clock::now() - 1h);
+  }
   for (const auto& [name, bytes] : job.before) testing::write_bytes(path(name), bytes);
   if (!old.empty())
     for (const std::string& name : job.outputs) testing::write_bytes(path(name), old);
