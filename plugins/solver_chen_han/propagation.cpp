@@ -105,6 +105,7 @@ void Propagation::gather(Index half_edge, Index first_block) {
 
 /// Carries windows across the face of a half-edge.
 void Propagation::pass(Index half_edge, Span list, Index depth) {
+  if (surface_.is_copy(half_edge / 3) && !keep_ && watched_.empty()) return;
   const Apex apex(surface_, half_edge);
   filter(list, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
   if (list.count == 0) return;
@@ -117,6 +118,7 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
   }
   if (!watched_.empty()) lower_watched(half_edge, list);
 
+  if (surface_.is_copy(half_edge / 3)) return;
   if (depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
   const Parting parting = lanes_->part(list.windows, list.count, apex.x, apex.y);
   if (!parting.in_order) return carry_one_by_one(apex, list, depth + 1);

@@ -131,6 +131,20 @@ void PackedMesh::connect() {
     }
     fans_.emplace_back(first, static_cast<Index>(fan_half_edges_.size()));
   }
+  mark_copies();
+}
+
+void PackedMesh::mark_copies() {
+  std::vector<std::pair<std::array<Index, 3>, Index>> named;
+  for (Index f = 0; f < faces_.size(); ++f) {
+    std::array<Index, 3> vertices{faces_[f].vertex[0], faces_[f].vertex[1], faces_[f].vertex[2]};
+    std::sort(vertices.begin(), vertices.end());
+    named.emplace_back(vertices, f);
+  }
+  std::sort(named.begin(), named.end());
+  copies_.assign(faces_.size(), false);
+  for (std::size_t i = 1; i < named.size(); ++i)
+    if (named[i].first == named[i - 1].first) copies_[named[i].second] = true;
 }
 
 void PackedMesh::list_corners() {
@@ -205,7 +219,7 @@ void PackedMesh::judge_vertices() {
 }
 
 std::size_t PackedMesh::bytes() const {
-  return faces_.size() * sizeof(Face) + fans_.size() * sizeof(fans_[0]) + kind_.size() +
+  return faces_.size() * sizeof(Face) + copies_.size() / 8 + fans_.size() * sizeof(fans_[0]) + kind_.size() +
          sizeof(Index) *
              (fan_half_edges_.size() + first_corner_.size() + corners_.size() + vertex_of_original_.size() +
               original_vertex_.size() + face_of_original_.size() + original_face_.size() + components_.size());

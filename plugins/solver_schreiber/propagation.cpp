@@ -121,6 +121,7 @@ void Propagation::count_pass(Index half_edge, std::size_t generators) {
 
 /// Carries a front across the face of a half-edge.
 void Propagation::pass(Index half_edge, Front front, Ends ends, Course course) {
+  if (surface_.is_copy(half_edge / 3) && !keep_ && watched_.empty()) return;
   const Apex apex(surface_, half_edge);
   filter(front, ends, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
   if (front.empty()) return;
@@ -131,6 +132,7 @@ void Propagation::pass(Index half_edge, Front front, Ends ends, Course course) {
   editor_.narrow(front, apex.length, until);
   if (keep_) kept_.keep(half_edge, front);
   if (!watched_.empty()) lower_watched(half_edge, front, until);
+  if (surface_.is_copy(half_edge / 3)) return;
   if (course.depth >= surface_.face_count()) return;  // a shortest path crosses no face twice
   const Split split = split_at(apex, front, until);
   ++course.depth;

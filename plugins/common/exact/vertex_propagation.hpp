@@ -212,7 +212,8 @@ void VertexPropagation<Solver, Step>::emit(Index vertex) {
   if (label.distance > limit_) return;
   corners_that_emit(surface_, vertex, label, emitting_);
   emissions_ += !emitting_.empty();
-  for (const Index corner : emitting_) emit_into(corner);
+  for (const Index corner : emitting_)
+    if (!surface_.is_copy(corner / 3)) emit_into(corner);
 }
 
 /// Sends a wedge from the vertex at which `corner` starts to the opposite edge, and lowers the ends of the two edges at

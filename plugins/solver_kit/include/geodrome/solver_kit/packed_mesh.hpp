@@ -78,6 +78,10 @@ class PackedMesh {
   Index fan(Index h) const { return faces_[h / 3].across[h % 3] & ~fan_bit; }
   std::size_t fan_count() const { return fans_.size(); }
 
+  /// Tells whether a face has the vertices of one with a lower number. The two are congruent, so no shortest path needs
+  /// to cross this one; paths may begin and end in it.
+  bool is_copy(Index f) const { return !copies_.empty() && copies_[f]; }
+
   /// Returns the place of a point in the frame of half-edge `h` of its face; `b` counts from corner 0 of the face.
   std::pair<double, double> in_frame(Index h, const std::array<double, 3>& b) const {
     const Face& face = face_of(h);
@@ -151,6 +155,7 @@ class PackedMesh {
   void choose_exponent();
   void shape_faces();
   void connect();
+  void mark_copies();
   void list_corners();
   void order_corners(Index vertex, std::vector<bool>& regular);
   void judge_vertices();
@@ -160,6 +165,7 @@ class PackedMesh {
   std::vector<Face> faces_;
   std::vector<std::pair<Index, Index>> fans_;
   std::vector<Index> fan_half_edges_;
+  std::vector<bool> copies_;  ///< of faces; empty if no edge has more than one other face
   std::vector<Index> first_corner_, corners_;
   std::vector<VertexKind> kind_;
   std::vector<Index> vertex_of_original_, original_vertex_, face_of_original_, original_face_;
