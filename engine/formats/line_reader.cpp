@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "engine/formats/line_reader.hpp"
 
+#include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <limits>
 #include <utility>
+
+#include "engine/formats/parse_number.hpp"
 
 namespace geodrome::input {
 namespace {
 
 constexpr bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
-// std::from_chars knows no leading plus.
-std::string_view without_plus(std::string_view word) {
-  return word.size() > 1 && word[0] == '+' && word[1] != '-' ? word.substr(1) : word;
+// Where the blanks at the end of a text begin.
+std::size_t end_of_words(std::string_view text) {
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text.size();
 }
 
 }  // namespace
@@ -26,22 +29,49 @@ LineReader::LineReader(const SourceFile& file, LineStyle style, std::size_t offs
 
 bool LineReader::next() {
   while (next_ < text_.size()) {
-    position_ = next_, line_ = line_after_;
-    for (std::size_t from = next_;;) {
-      end_ = std::min(text_.find_first_of("\r\n", from), text_.size());
-      const bool both = text_.substr(end_, 2) == "\r\n";
-      next_ = std::min(end_ + (both ? 2 : 1), text_.size());
+    position_ = next_, line_ = line_after_, backslash_ = false;
+    bool joined = true;
+    while (joined) {
+      const std::size_t start = next_;
+      end_ = std::min(text_.find_first_of("\r\n", start), text_.size());
+      next_ = std::min(end_ + (text_.substr(end_, 2) == "\r\n" ? 2 : 1), text_.size());
       ++line_after_;
-      const bool joined = style_.continued && end_ > position_ && text_[end_ - 1] == '\\' && next_ < text_.size();
-      if (!joined) break;
-      from = next_;
+      const std::size_t comment =
+          style_.comment ? find_comment(text_.substr(start, end_ - start), style_.comment) : text_.npos;
+      if (comment != text_.npos) end_ = start + comment;  // a comment ends with its line, whatever it ends in
+      joined = style_.continued && comment == text_.npos && joins_next_line();
     }
-    const std::string_view line = text_.substr(position_, end_ - position_);
-    if (style_.comment) end_ = position_ + std::min(line.size(), line.find(style_.comment));
     while (position_ < end_ && is_blank(text_[position_])) ++position_;
+    first_ = position_;
     if (position_ < end_) return true;
   }
   return false;
+}
+
+// Names end in a backslash too (folders of Windows), and no record begins with a number: so no record is ever
+// swallowed.
+bool LineReader::joins_next_line() {
+  const std::size_t end = position_ + end_of_words(text_.substr(position_, end_ - position_));
+  if (end == position_ || text_[end - 1] != '\\') return false;
+  const std::size_t follows = text_.find_first_not_of(" \t\v\f", next_);
+  constexpr std::string_view starts = "0123456789+-.";
+  if (follows != text_.npos && starts.find(text_[follows]) != starts.npos) return true;
+  backslash_ = true;
+  if (text_.find_first_not_of(" \t\v\f\r\n", next_) == text_.npos) end_ = end - 1;  // nothing is left to be joined
+  return false;
+}
+
+bool LineReader::seek() {
+  position_ = after_blanks();
+  return position_ < end_ || next();
+}
+
+bool LineReader::at_line_end() const { return after_blanks() == end_; }
+
+std::string_view LineReader::rest() const {
+  const std::string_view text = text_.substr(position_, end_ - position_);
+  const std::size_t end = end_of_words(text), start = std::min(text.find_first_not_of(" \t\v\f\r\n"), end);
+  return text.substr(start, end - start);
 }
 
 bool LineReader::is_last() const {
@@ -49,39 +79,45 @@ bool LineReader::is_last() const {
   return !rest.next();
 }
 
+std::size_t LineReader::after_blanks() const {
+  std::size_t at = position_;
+  while (at < end_ && (is_blank(text_[at]) || is_joint(at))) ++at;
+  return at;
+}
+
+// A backslash at the end of a line that was joined.
+bool LineReader::is_joint(std::size_t i) const {
+  if (!style_.continued || text_[i] != '\\') return false;
+  const std::size_t follows = std::min(text_.find_first_not_of(" \t\v\f", i + 1), end_);
+  return follows < end_ && is_blank(text_[follows]);
+}
+
 std::string_view LineReader::word() {
-  const auto separates = [&](std::size_t i) {
-    const bool joint = style_.continued && text_[i] == '\\' && i + 1 < end_ && is_blank(text_[i + 1]);
-    return joint || is_blank(text_[i]);
-  };
-  while (position_ < end_ && separates(position_)) ++position_;
-  const std::size_t start = position_;
-  while (position_ < end_ && !separates(position_)) ++position_;
+  const std::size_t start = after_blanks();
+  position_ = start;
+  while (position_ < end_ && !is_blank(text_[position_]) && !is_joint(position_)) ++position_;
   return text_.substr(start, position_ - start);
 }
 
 std::string_view LineReader::required_word() {
+  if (style_.across && !seek()) reject(InputFault::truncated, "the file ends where a number is expected");
   const std::string_view found = word();
   if (found.empty()) reject_short("the line ends where a number is expected");
   return found;
 }
 
 double LineReader::number() {
-  const std::string_view found = required_word(), digits = without_plus(found);
-  const char* const end = digits.data() + digits.size();
-  double value = 0;
-  auto [stop, error] = std::from_chars(digits.data(), end, value);
-  if (error == std::errc::result_out_of_range && stop == end) {
-    // Too large or too small? The wider type tells; what it cannot hold either is told by the exponent's sign.
-    long double wide = 0;
-    const bool holds = std::from_chars(digits.data(), end, wide).ec == std::errc();
-    const bool small =
-        holds ? std::fabs(wide) < 1 : digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
-    if (!small) reject(InputFault::range, quoted(found) + " is too large for a double", "rescale the input");
-    return holds ? static_cast<double>(wide) : 0;
-  }
-  if (error != std::errc() || stop != end) reject(InputFault::syntax, quoted(found) + " is no number");
-  return value;
+  const std::string_view found = required_word();
+  const ParsedNumber number = parse_number(found);
+  if (number.fault == NumberFault::syntax) reject(InputFault::syntax, quoted(found) + " is no number");
+  if (number.fault == NumberFault::range)
+    reject(InputFault::range, quoted(found) + " is too large for a double", "rescale the input");
+  return number.value;
+}
+
+void LineReader::unused_number() {
+  const std::string_view found = required_word();
+  if (parse_number(found).fault == NumberFault::syntax) reject(InputFault::syntax, quoted(found) + " is no number");
 }
 
 long long LineReader::integer() {
@@ -102,13 +138,8 @@ Vec3 LineReader::point() {
 
 std::size_t LineReader::further_numbers() {
   std::size_t count = 0;
-  while (true) {
-    const std::size_t before = position_;
-    if (word().empty()) return count;
-    position_ = before;
-    number();
-    ++count;
-  }
+  for (; !at_line_end(); ++count) unused_number();
+  return count;
 }
 
 void LineReader::reject(InputFault fault, const std::string& what, Remedy remedy) const {

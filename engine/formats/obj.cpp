@@ -5,6 +5,7 @@
 
 #include "engine/formats/line_reader.hpp"
 #include "engine/formats/table.hpp"
+#include "engine/formats/text.hpp"
 #include "engine/formats/text_output.hpp"
 #include "geodrome/engine/jobs.hpp"
 
@@ -54,12 +55,37 @@ bool holds_geometry(std::string_view record) {
   return std::find(std::begin(names), std::end(names), record) != std::end(names);
 }
 
+/// A backslash at the end of a line should join the next one, but one that begins with v or f is a record of its own.
+class UnjoinedLines {
+ public:
+  void see(const LineReader& lines, std::string_view record) {
+    if (open_ != 0 && (record == "v" || record == "f") && count_++ == 0) first_ = open_;
+    open_ = lines.ends_in_backslash() ? lines.line() : 0;
+  }
+  void tell(Soup& soup) const {
+    if (count_ == 0) return;
+    soup.findings.push_back({Finding::Severity::warning,
+                             "backslash_joins_nothing",
+                             counted(count_, "line ends", "lines end") +
+                                 " in a backslash before a record v or f, the " + "first is line " +
+                                 std::to_string(first_) + "; the record was read by itself.",
+                             count_,
+                             {}});
+  }
+
+ private:
+  std::size_t open_ = 0;  // the line before, if it ends in a backslash
+  std::size_t count_ = 0, first_ = 0;
+};
+
 Soup read_obj(const SourceFile& file) {
   Soup soup;
   Finding ignored{Finding::Severity::warning, "ignored_records", "", 0, {}};
+  UnjoinedLines unjoined;
   LineReader lines(file, {.comment = '#', .continued = true});
   while (lines.next()) {
     const std::string_view record = lines.word();
+    unjoined.see(lines, record);
     if (record == "v") {
       soup.positions.push_back(lines.point());
     } else if (record == "f") {
@@ -73,6 +99,7 @@ Soup read_obj(const SourceFile& file) {
       lines.reject(InputFault::unsupported, "more vertices or faces than 32 bits count");
   }
   check_corners(file, soup);
+  unjoined.tell(soup);
   ignored.message =
       std::to_string(ignored.count) + " lines, points, curves or free-form surfaces of the OBJ file were not used.";
   if (ignored.count > 0) soup.findings.push_back(std::move(ignored));

@@ -46,9 +46,9 @@ PlyRole role_of(std::string_view element, const PlyProperty& property) {
     if (name == "y") return PlyRole::y;
     if (name == "z") return PlyRole::z;
   }
-  if (element == "face" && property.count_type && (name == "vertex_indices" || name == "vertex_index"))
-    return PlyRole::corners;
-  return PlyRole::unused;
+  if (!property.count_type || (name != "vertex_indices" && name != "vertex_index")) return PlyRole::unused;
+  if (element == "face") return PlyRole::corners;
+  return element == "tristrips" ? PlyRole::strip : PlyRole::unused;
 }
 
 PlyProperty read_property(LineReader& lines, std::string_view element) {
@@ -63,8 +63,8 @@ PlyProperty read_property(LineReader& lines, std::string_view element) {
   property.name = lines.word();
   if (property.name.empty()) lines.reject(InputFault::syntax, "a property has no name");
   property.role = role_of(element, property);
-  if (property.role == PlyRole::corners && !is_integer(property.type))
-    lines.reject(InputFault::syntax, "the corners of a face are no integers");
+  if ((property.role == PlyRole::corners || property.role == PlyRole::strip) && !is_integer(property.type))
+    lines.reject(InputFault::syntax, "the corners of faces are no integers");
   return property;
 }
 
@@ -79,8 +79,9 @@ std::size_t count_elements(const PlyHeader& header, std::string_view name) {
 }
 
 void check(const SourceFile& file, PlyHeader& header) {
-  if (count_elements(header, "vertex") != 1 || count_elements(header, "face") > 1)
-    reject(file, InputFault::syntax, "the header needs one element 'vertex' and at most one 'face'");
+  if (count_elements(header, "vertex") != 1 || count_elements(header, "face") > 1 ||
+      count_elements(header, "tristrips") > 1)
+    reject(file, InputFault::syntax, "the header needs one element 'vertex' and at most one 'face' and 'tristrips'");
   for (const PlyElement& element : header.elements) {
     if (element.name == "vertex") {
       header.vertex_count = element.count;
@@ -90,8 +91,8 @@ void check(const SourceFile& file, PlyHeader& header) {
     }
     if (element.name == "face" && element.count > 0 && count_role(element, PlyRole::corners) != 1)
       reject(file, InputFault::syntax, "faces need one list named vertex_indices");
-    if (element.name == "tristrips" && element.count > 0)
-      reject(file, InputFault::unsupported, "triangle strips are not read", "convert the file to faces");
+    if (element.name == "tristrips" && element.count > 0 && count_role(element, PlyRole::strip) != 1)
+      reject(file, InputFault::syntax, "triangle strips need one list named vertex_indices");
     if (!element.properties.empty())
       check_announced(file, "rows of '" + element.name + "'", element.count, element.least_bytes(header.encoding),
                       file.bytes.size() - header.body_offset);
@@ -106,6 +107,8 @@ std::string scalars_of(const PlyElement& element) {
 }
 
 void find_weight(const SourceFile& file, std::string_view name, PlyElement& faces) {
+  if (faces.name == "tristrips")
+    reject(file, InputFault::unsupported, "triangle strips have no weights", "convert the file to faces");
   for (PlyProperty& property : faces.properties)
     if (property.name == name && !property.count_type) property.role = PlyRole::weight;
   const std::size_t found = count_role(faces, PlyRole::weight);
@@ -138,7 +141,7 @@ PlyHeader read_ply_header(const SourceFile& file, std::string_view weight_proper
       header.lines = lines.line();
       check(file, header);
       for (PlyElement& element : header.elements)
-        if (!weight_property.empty() && element.name == "face" && element.count > 0)
+        if (!weight_property.empty() && (element.name == "face" || element.name == "tristrips") && element.count > 0)
           find_weight(file, weight_property, element);
       return header;
     }

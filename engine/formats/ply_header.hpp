@@ -21,8 +21,8 @@ constexpr std::size_t size_of(PlyType type) {
 constexpr bool is_integer(PlyType type) { return type < PlyType::float32; }
 
 /// The use that the engine makes of a property's values.
-enum class PlyRole : std::uint8_t { x, y, z, corners, weight, unused };
-constexpr std::size_t ply_role_count = 6;
+enum class PlyRole : std::uint8_t { x, y, z, corners, strip, weight, unused };
+constexpr std::size_t ply_role_count = 7;
 
 struct PlyProperty {
   std::string name;
@@ -47,9 +47,9 @@ struct PlyHeader {
   std::size_t body_offset = 0, lines = 0;
 };
 
-/// Reads the header and checks it: there is one vertex element with x, y and z; faces are lists of integers; what is
-/// announced fits into the file. The faces' number named `weight_property`, if that is not empty, gets the role of the
-/// weight; rejects (unsupported) faces that have none.
+/// Reads the header and checks it: there is one vertex element with x, y and z; faces and strips are lists of integers;
+/// what is announced fits into the file. The faces' number named `weight_property`, if that is not empty, gets the role
+/// of the weight; rejects (unsupported) faces that have none, and strips.
 PlyHeader read_ply_header(const SourceFile& file, std::string_view weight_property = {});
 
 }  // namespace geodrome::input

@@ -2,38 +2,65 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
+#include <optional>
 
 #include "engine/formats/bytes.hpp"
 #include "engine/formats/line_reader.hpp"
 #include "engine/formats/ply_header.hpp"
 #include "engine/formats/ply_reader.hpp"
+#include "engine/formats/ply_strips.hpp"
 #include "engine/formats/remedies.hpp"
+#include "engine/formats/row_lines.hpp"
 
 namespace geodrome::input {
 namespace {
 
-// The two sources of values, text and binary, look the same to the loops below.
+// The two sources of values, text and binary, look the same to the loops below. Text is a stream of numbers: rows may
+// lie on lines in any way, but must then come out exactly.
 class TextValues {
  public:
   TextValues(const SourceFile& file, const PlyHeader& header)
-      : file_(file), lines_(file, {}, header.body_offset, header.lines) {}
+      : file_(file), lines_(file, {.across = true}, header.body_offset, header.lines) {}
 
   void start_row(const PlyElement& element, std::uint64_t row) {
-    if (!lines_.next())
+    if (!lines_.seek())
       reject(file_, InputFault::truncated,
              "the file ends after " + std::to_string(row) + " of " + std::to_string(element.count) + " rows of '" +
                  element.name + "'");
+    rows_.begin(lines_);
   }
-  void end_row() {
-    if (!lines_.word().empty()) lines_.reject(InputFault::syntax, "the line has more values than the header announces");
-  }
+  void end_row() { rows_.end(lines_); }
   double number(PlyType) { return lines_.number(); }
   long long integer(PlyType) { return lines_.integer(); }
-  bool at_end() { return lines_.is_last(); }
+  void skip(PlyType) { lines_.unused_number(); }
+
+  /// What failed in a stream whose rows are torn is no fault of the place where it failed.
+  void rethrow_if_torn() const {
+    if (rows_.torn() != 0) reject_line(rows_.torn());
+  }
+  void finish(Soup& soup) {
+    if (lines_.seek() && rows_.shared() != 0) reject_line(rows_.shared());
+    if (!lines_.at_line_end()) note_trailing_data(soup);
+    if (rows_.torn() != 0)
+      soup.findings.push_back({Finding::Severity::warning,
+                               "rows_across_lines",
+                               "Rows begin and end within lines, the first in line " + std::to_string(rows_.torn()) +
+                                   "; the numbers were read one after the other.",
+                               1,
+                               {}});
+  }
 
  private:
+  [[noreturn]] void reject_line(std::size_t line) const {
+    reject(file_, InputFault::syntax,
+           "line " + std::to_string(line) +
+               ": a row begins here that shares its line with another, and the numbers do not come out as the header "
+               "announces: there are too many or too few in this line or before it");
+  }
+
   const SourceFile& file_;
   LineReader lines_;
+  RowLines rows_;
 };
 
 class BinaryValues {
@@ -66,7 +93,11 @@ class BinaryValues {
         return value<std::uint32_t>();
     }
   }
-  bool at_end() const { return at_ == end_; }
+  void skip(PlyType type) { number(type); }
+  void rethrow_if_torn() const {}
+  void finish(Soup& soup) const {
+    if (at_ != end_) note_trailing_data(soup);
+  }
 
  private:
   template <class Number>
@@ -88,19 +119,24 @@ class BinaryValues {
 };
 
 template <class Values>
-void read_list(const SourceFile& file, const PlyHeader& header, const PlyProperty& property, Values& values,
-               Soup& soup) {
+void read_list(const SourceFile& file, const PlyHeader& header, const PlyProperty& property, std::uint64_t row,
+               Values& values, Soup& soup) {
   const long long length = values.integer(*property.count_type);
   if (length < 0)
     reject(file, InputFault::syntax,
-           "the list '" + property.name + "' of face " + std::to_string(soup.face_count()) + " has a negative length");
+           "the list '" + property.name + "' of row " + std::to_string(row) + " has a negative length");
+  std::optional<StripReader> strip;
+  if (property.role == PlyRole::strip) strip.emplace(file, row, header.vertex_count, soup);
   for (long long i = 0; i < length; ++i) {
     if (property.role == PlyRole::corners)
       soup.corners.push_back(
           checked_corner(file, soup.face_count(), values.integer(property.type), header.vertex_count));
+    else if (strip)
+      strip->add(values.integer(property.type));
     else
-      values.number(property.type);
+      values.skip(property.type);
   }
+  if (strip) strip->end_run();
 }
 
 bool has_weight(const PlyElement& element) {
@@ -136,7 +172,9 @@ void read_rows(const SourceFile& file, const PlyHeader& header, const PlyElement
     double number[ply_role_count];
     for (const PlyProperty& property : element.properties) {
       if (property.count_type)
-        read_list(file, header, property, values, soup);
+        read_list(file, header, property, row, values, soup);
+      else if (property.role == PlyRole::unused)
+        values.skip(property.type);
       else
         number[static_cast<std::size_t>(property.role)] = values.number(property.type);
     }
@@ -148,16 +186,26 @@ void read_rows(const SourceFile& file, const PlyHeader& header, const PlyElement
 }
 
 template <class Values>
-Soup read_body(const SourceFile& file, const PlyHeader& header) {
-  Soup soup;
-  Values values(file, header);
+void read_elements(const SourceFile& file, const PlyHeader& header, Values& values, Soup& soup) {
   for (const PlyElement& element : header.elements) {
     if (element.properties.empty()) continue;  // its rows take no bytes, however many there are
     if (element.name == "vertex") soup.positions.reserve(element.count);
     if (element.name == "face") soup.face_end.reserve(element.count);
     read_rows(file, header, element, values, soup);
   }
-  if (!values.at_end()) note_trailing_data(soup);
+}
+
+template <class Values>
+Soup read_body(const SourceFile& file, const PlyHeader& header) {
+  Soup soup;
+  Values values(file, header);
+  try {
+    read_elements(file, header, values, soup);
+  } catch (const InputError&) {
+    values.rethrow_if_torn();
+    throw;
+  }
+  values.finish(soup);
   return soup;
 }
 

@@ -106,17 +106,6 @@ TEST(InputPly, FurtherElementsAndPropertiesArePassedOver) {
   EXPECT_FALSE(has_warning(input));
 }
 
-TEST(InputPly, TriangleStripsAreUnsupported) {
-  expect_refused(
-      [] {
-        read_bytes("s.ply",
-                   "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                   "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
-                   "end_header\n0 0 0\n3 0 0 0\n");
-      },
-      InputFault::unsupported, "strips");
-}
-
 TEST(InputPly, HeaderErrorsNameTheirLine) {
   expect_refused([] { read_bytes("s.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty real x\n"); },
                  InputFault::syntax, "line 4");
