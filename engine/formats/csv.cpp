@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/formats/columns/point_table.hpp"
 #include "engine/formats/npy.hpp"
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/table.hpp"
@@ -50,10 +51,13 @@ Format csv_format() {
   static constexpr MatrixFormat matrix{.dense = npy_dense, .text = &text};
   return {.name = "CSV",
           .endings = {".csv"},
-          .uses = {{.content = Content::matrix, .written = "up to 1e6 entries"},
+          .uses = {{.content = Content::points, .read = "a point a line, in columns"},
+                   {.content = Content::matrix, .written = "up to 1e6 entries"},
                    {.content = Content::nearest, .written = "target, distance, source, reach"},
                    {.content = Content::pairs, .written = "pair, from, to, distance, reach"},
                    {.content = Content::path, .written = "x, y, z, face, b0, b1, b2"}},
+          .read = [](const input::SourceFile& file) { return input::read_point_table(file, {}); },
+          .read_columns = input::read_point_table,
           .write_path = csv_path,
           .matrix = &matrix};
 }

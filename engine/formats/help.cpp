@@ -77,7 +77,7 @@ std::string help_for_input() {
     if (!format.read) continue;
     append_word(format.reads(Content::mesh) ? meshes : points, std::string(format.name));
   }
-  return meshes + " (meshes or points) or " + points + " (points)";
+  return meshes + " (meshes or points) or " + points + " (points); any of them gzip-compressed or not";
 }
 
 std::string table_of_formats() {

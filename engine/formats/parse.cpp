@@ -14,13 +14,15 @@ void reject_compressed(const SourceFile& file) {
     std::string_view magic, name, remedy;
   };
   constexpr Packing packings[] = {
-      {"\x1F\x8B", "gzip", "gunzip"},         {"BZh", "bzip2", "bunzip2"},
-      {"\xFD\x37zXZ", "xz", "unxz"},          {"PK\x03\x04", "zip", "unzip"},
-      {"\x28\xB5\x2F\xFD", "zstd", "unzstd"},
+      {"\x1F\x8B", "gzip", "gunzip"},  // inside a gzip file
+      {"BZh", "bzip2", "bunzip2"},    {"\xFD\x37zXZ", "xz", "unxz"},
+      {"PK\x03\x04", "zip", "unzip"}, {"\x28\xB5\x2F\xFD", "zstd", "unzstd"},
   };
   for (const Packing& packing : packings)
     if (file.bytes.starts_with(packing.magic))
-      reject(file, InputFault::syntax, "the file is " + std::string(packing.name) + "-compressed",
+      reject(file, InputFault::syntax,
+             std::string(file.unpacked ? "what it holds is " : "the file is ") + std::string(packing.name) +
+                 "-compressed" + (file.unpacked ? " once more" : ""),
              "unpack it with " + std::string(packing.remedy));
 }
 
@@ -35,12 +37,14 @@ const Format* format_by_content(const SourceFile& file) {
 }
 
 const Format* format_by_name(const SourceFile& file) {
+  const std::filesystem::path name =
+      file.unpacked && has_ending(file.path, gzip_ending) ? file.path.stem() : file.path.filename();
   const Format* best = nullptr;
   std::size_t longest = 0;
   for (const Format& format : formats()) {
     if (!format.read) continue;
     for (const std::string_view ending : format.endings)
-      if (ending.size() > longest && has_ending(file.path, ending)) longest = ending.size(), best = &format;
+      if (ending.size() > longest && has_ending(name, ending)) longest = ending.size(), best = &format;
   }
   return best;
 }
@@ -54,9 +58,28 @@ std::string names_of(Property property) {
   return names;
 }
 
+void check_choice(const SourceFile& file, const Format& format, const ParseChoice& choice) {
+  const auto names = [](auto property) { return names_of([&](const Format& f) { return f.*property != nullptr; }); };
+  if (!choice.weight_property.empty() && !format.read_weighted)
+    reject(
+        file, InputFault::unsupported,
+        "only faces of " + names(&Format::read_weighted) + " have properties such as " + quoted(choice.weight_property),
+        "give the weights as a text file with one number a line for each face");
+  if (!choice.columns.empty() && !format.read_columns)
+    reject(file, InputFault::unsupported,
+           "the file is " + std::string(format.name) + ", and only tables of points (" + names(&Format::read_columns) +
+               ") have columns to choose",
+           "leave the choice of columns out");
+}
+
+Soup read_as(const SourceFile& file, const Format& format, const ParseChoice& choice) {
+  if (!choice.weight_property.empty()) return format.read_weighted(file, choice.weight_property);
+  return choice.columns.empty() ? format.read(file) : format.read_columns(file, choice.columns);
+}
+
 }  // namespace
 
-Soup parse(const SourceFile& file, std::string_view weight_property) {
+Soup parse(const SourceFile& file, const ParseChoice& choice) {
   reject_compressed(file);
   const Format *by_content = format_by_content(file), *by_name = format_by_name(file);
   if (!by_content && !by_name)
@@ -64,12 +87,8 @@ Soup parse(const SourceFile& file, std::string_view weight_property) {
            "use one of " + names_of([](const Format& f) { return f.read != nullptr; }) +
                ", and the ending of the format in the file's name");
   const Format& format = by_content ? *by_content : *by_name;
-  if (!weight_property.empty() && !format.read_weighted)
-    reject(file, InputFault::unsupported,
-           "only faces of " + names_of([](const Format& f) { return f.read_weighted != nullptr; }) +
-               " have properties such as " + quoted(weight_property),
-           "give the weights as a text file with one number a line for each face");
-  Soup soup = weight_property.empty() ? format.read(file) : format.read_weighted(file, weight_property);
+  check_choice(file, format, choice);
+  Soup soup = read_as(file, format, choice);
   soup.format = lower_case(format.name);
   if (by_content && by_name && by_content != by_name)
     soup.findings.push_back({Finding::Severity::note,

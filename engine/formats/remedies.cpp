@@ -17,6 +17,7 @@ constexpr RemedySentence sentences[] = {
     {"index", "name a file that `run_pairs` made, or a new one"},
     {"read.weld", "set `read.weld` to merge them"},
     {"read.drop_nonfinite", "set `read.drop_nonfinite` to leave such points out"},
+    {"read.columns", "choose the columns of x, y and z in `read.columns`, as {0}"},
     {"read.points", "set `read.as` to points"},
     {"read.vertices", "set `read.as` to points to take its vertices"},
     {"read.finite_points", "repair the mesh, or set `read.as` to points and `read.drop_nonfinite`"},
@@ -78,6 +79,7 @@ Remedy other_index() { return made(row("index")); }
 
 Remedy weld() { return made(row("read.weld")); }
 Remedy drop_nonfinite() { return made(row("read.drop_nonfinite")); }
+Remedy choose_columns(std::string columns) { return made(row("read.columns"), {std::move(columns)}); }
 Remedy take_points() { return made(row("read.points")); }
 Remedy take_vertices() { return made(row("read.vertices")); }
 Remedy finite_points() { return made(row("read.finite_points")); }

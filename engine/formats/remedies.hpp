@@ -20,12 +20,13 @@ Remedy start_anew(std::string otherwise);
 Remedy other_index();  ///< for a file that is no index of pairs
 
 // Reading
-Remedy weld();                             ///< for vertices at one place
-Remedy drop_nonfinite();                   ///< for points that are not finite
-Remedy take_points();                      ///< for a file without faces
-Remedy take_vertices();                    ///< for a file whose faces are of no use
-Remedy finite_points();                    ///< for a mesh with vertices that are not finite
-Remedy use_weights(std::string property);  ///< for weights that were passed over
+Remedy weld();                               ///< for vertices at one place
+Remedy drop_nonfinite();                     ///< for points that are not finite
+Remedy choose_columns(std::string columns);  ///< of a table that does not tell; `columns` is an example
+Remedy take_points();                        ///< for a file without faces
+Remedy take_vertices();                      ///< for a file whose faces are of no use
+Remedy finite_points();                      ///< for a mesh with vertices that are not finite
+Remedy use_weights(std::string property);    ///< for weights that were passed over
 
 // Points off the surface
 Remedy default_rule();                          ///< for a rule that goes with something else not

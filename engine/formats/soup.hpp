@@ -30,9 +30,15 @@ struct Soup {
   }
 };
 
-/// Reads a file of the format that its content, or else its name, tells (table.hpp). `weight_property`: a property of
-/// the faces, for `Soup::face_weights`; empty: none. Throws InputError, also if the faces have no such property.
-Soup parse(const SourceFile& file, std::string_view weight_property = {});
+/// What is read of a file that holds more than a mesh or points.
+struct ParseChoice {
+  std::string_view weight_property;  ///< of the faces, for `Soup::face_weights`; empty: none
+  std::string_view columns;          ///< of a table of points, as in `parse_columns`; empty: not chosen
+};
+
+/// Reads a file of the format that its content, or else its name, tells (table.hpp). Throws InputError, also for a
+/// choice that the file does not offer, OptionError for columns that are not there.
+Soup parse(const SourceFile& file, const ParseChoice& choice = {});
 
 /// Rejects (truncated) a header's count of elements that the rest of the file cannot hold, and (unsupported) one that
 /// Index cannot count: to be called before anything is reserved.

@@ -9,6 +9,8 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/formats/gzip.hpp"
+
 namespace geodrome::input {
 namespace {
 
@@ -25,7 +27,7 @@ void reject(const SourceFile& file, InputFault fault, const std::string& what, R
 }
 
 SourceFile read_source(const std::filesystem::path& path) {
-  SourceFile file{path, {}};
+  SourceFile file{path, {}, false};
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status)) reject(file, InputFault::io, "there is no such file", "check the path");
@@ -42,6 +44,7 @@ SourceFile read_source(const std::filesystem::path& path) {
   while (const std::size_t count = std::fread(block, 1, sizeof block, stream.get())) file.bytes.append(block, count);
   if (std::ferror(stream.get())) reject(file, InputFault::io, "cannot be read: " + last_reason());
   if (file.bytes.empty()) reject(file, InputFault::empty, "the file has 0 bytes");
+  if (is_gzip(file.bytes)) unpack_gzip(file);
   return file;
 }
 

@@ -12,10 +12,12 @@ namespace geodrome::input {
 /// A file held in memory, read once, so that nothing is ever reserved on the word of a header.
 struct SourceFile {
   std::filesystem::path path;
-  std::string bytes;
+  std::string bytes;      ///< unpacked
+  bool unpacked = false;  ///< the file is gzip-compressed
 };
 
-/// Reads a whole file. Throws InputError (io) for what is missing, no file or unreadable, (empty) for 0 bytes.
+/// Reads a whole file, and unpacks it if it is gzip (gzip.hpp). Throws InputError (io) for what is missing, no file or
+/// unreadable, (empty) for 0 bytes.
 SourceFile read_source(const std::filesystem::path& path);
 
 /// XXH3, 128 bits, as 32 hexadecimal digits.

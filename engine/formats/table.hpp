@@ -50,6 +50,8 @@ struct Format {
   input::Soup (*read)(const input::SourceFile& file) = nullptr;
   /// Reads a mesh, as `read` does, with the numbers of a property of the faces, which must be there if there are faces.
   input::Soup (*read_weighted)(const input::SourceFile& file, std::string_view property) = nullptr;
+  /// Reads points, as `read` does, from the columns of a table (`input::parse_columns`).
+  input::Soup (*read_columns)(const input::SourceFile& file, std::string_view columns) = nullptr;
   /// The bytes of a mesh or of points. Throws InputError (range) for numbers that the format cannot hold.
   std::string (*write)(const MeshToWrite& mesh) = nullptr;
   std::string (*write_path)(const PathResult& path) = nullptr;

@@ -20,6 +20,9 @@ void check_arrays(const Arrays& arrays, const ReadOptions& options) {
   if (!options.weights.empty())
     throw OptionError("`ReadOptions::weights` names weights of a file, and the input is in memory",
                       "give them as `Arrays::weights`");
+  if (!options.columns.empty())
+    throw OptionError("`ReadOptions::columns` chooses columns of a file, and the input is in memory",
+                      "leave the choice of columns out");
   if (arrays.positions.size() >= no_index || arrays.faces.size() >= no_index)
     origin.reject(InputFault::unsupported, "positions or faces are more than 32 bits count");
   if (!arrays.weights.empty() && arrays.weights.size() != arrays.faces.size())

@@ -12,7 +12,7 @@ Input read_input(const std::filesystem::path& path, const ReadOptions& options) 
   using namespace input;
   try {
     const SourceFile file = read_source(path);
-    Soup soup = parse(file, weight_choice(options.weights).property);
+    Soup soup = parse(file, {weight_choice(options.weights).property, options.columns});
     if (soup.vertices_by_place) merge_vertices(soup);
     return check_soup(Origin(path), options, std::move(soup), content_hash(file.bytes));
   } catch (const std::bad_alloc&) {

@@ -48,6 +48,11 @@ void add_read_options(CLI::App& command, ReadOptions& read) {
                   "face of the input. Paths cost their length times the weight; needs a solver that provides weights")
       ->check([](const std::string& text) { return std::string(text.empty() ? "it names nothing" : ""); })
       ->type_name("WEIGHTS");
+  command
+      .add_option("--columns", read.columns,
+                  "Columns of x, y and z in a table of points: names that stand above the points, as x,y,z, or numbers "
+                  "from 1, as 2,3,4 (default: those named x, y and z, else the first three)")
+      ->type_name("COLUMNS");
   command.add_flag("--drop-nonfinite", read.drop_nonfinite,
                    "Drop points that are NaN or infinite (their distances are NaN)");
 }

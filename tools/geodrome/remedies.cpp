@@ -19,6 +19,7 @@ constexpr RemedySentence sentences[] = {
     {"index", "name a file that 'geodrome queries --index' made, or a new one"},
     {"read.weld", "use --weld to merge them"},
     {"read.drop_nonfinite", "use --drop-nonfinite to leave such points out"},
+    {"read.columns", "choose the columns of x, y and z, as --columns {0}"},
     {"read.points", "use --as points"},
     {"read.vertices", "use --as points to take its vertices"},
     {"read.finite_points", "repair the mesh, or use --as points --drop-nonfinite"},

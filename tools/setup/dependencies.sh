@@ -8,7 +8,7 @@ set -euo pipefail
 
 packages=(
   build-essential cmake ninja-build pkg-config ccache
-  libboost-dev libcli11-dev libxxhash-dev nlohmann-json3-dev                 # engine, program
+  libboost-dev libcli11-dev libxxhash-dev nlohmann-json3-dev zlib1g-dev      # engine, program
   libcgal-dev libeigen3-dev libflann-dev liblz4-dev libopenmesh-dev          # standard plugins
 )
 case "${1-}" in

@@ -44,6 +44,7 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   const ReadOptions& read = job.settings.read;
   json["as"] = opened.input.kind == InputKind::mesh ? "mesh" : "points";
   json["weld"] = read.weld, json["drop_nonfinite"] = read.drop_nonfinite;
+  if (!read.columns.empty()) json["columns"] = read.columns;
   json["weights"] = opened.input.weights.empty() ? "none" : opened.input.weights_hash;
   for (const StageRecord& stage : opened.surface.stages) json[stage.plugin.stage] = chosen(stage);
   json["solver"] = chosen(solver.record);

@@ -33,15 +33,29 @@ const std::string ascii_stl =
     "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
     "s\n";
 
+const std::string strips_ply =
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+    "element tristrips 1\nproperty list int int vertex_indices\nend_header\n0 0 0 1 0 0\n0 1 0 1 1 0\n8 0 1 2 3 -1 0 2 "
+    "3\n";
+
 struct Sound {
   std::string name, bytes;
 };
 
 std::vector<Sound> sound_files() {
-  return {{"m.off", written("m.off")}, {"m.obj", written("m.obj")},
-          {"m.ply", written("m.ply")}, {"m.stl", written("m.stl")},
-          {"a.ply", ascii_ply},        {"b.ply", big_endian_ply},
-          {"a.stl", ascii_stl},        {"p.xyz", "0 0 0\n1 2.5 3e-1\n# c\n-4 5 6\n"}};
+  return {{"m.off", written("m.off")},
+          {"m.obj", written("m.obj")},
+          {"m.ply", written("m.ply")},
+          {"m.stl", written("m.stl")},
+          {"a.ply", ascii_ply},
+          {"b.ply", big_endian_ply},
+          {"a.stl", ascii_stl},
+          {"p.xyz", "0 0 0\n1 2.5 3e-1\n# c\n-4 5 6\n"},
+          {"t.ply", strips_ply},
+          {"u.off", "OFF\n8 1 0\n0 0 0 3 0 0\n3 3 0 2 3 0\n2 1 0 1 1 0\n1 3 0 0 3 0\n8 0 1 2 3 4 5 6 7\n"},
+          {"c.csv", "id;x;y;z\n7;0;0;0.5\n3;1;2.5;3e-1\n"},
+          {"n.pts", "3\n0 0 0 1\n1 2 3 4\n4 5 6 7\n"},
+          {"l.obj", "v 0 0 0\nv 1 0 0 \\\n 1\ng a\\\nv 0 1 0\nf 1 2 \\\n3\n"}};
 }
 
 void expect_survives(const std::string& name, const std::string& bytes) {

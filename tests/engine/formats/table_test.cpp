@@ -102,7 +102,8 @@ std::string bytes_of(const std::filesystem::path& file) {
 }
 
 TEST(HelpTexts, NameFormatsAndEndings) {
-  EXPECT_EQ(help_for_input(), "PLY, OFF, OBJ, STL (meshes or points) or XYZ (points)");
+  EXPECT_EQ(help_for_input(),
+            "PLY, OFF, OBJ, STL (meshes or points) or XYZ, CSV (points); any of them gzip-compressed or not");
   EXPECT_EQ(help_for_writing(Content::mesh), ".ply (binary, double), .off, .obj, .stl (binary, float)");
   EXPECT_EQ(help_for_reading(Content::matrix), "NPY (.npy: float64 or float32 in C order, to compare with)");
   EXPECT_EQ(help_for_reading(Content::path), "");

@@ -110,7 +110,7 @@ TEST(InputFromArrays, OfWrongLengthsIsRefused) {
   expect_refused([&] { square.input({.as = InputKind::mesh}); }, InputFault::empty, "faces is empty");
 }
 
-TEST(InputFromArrays, RefusesMasksAndWeightsOfFiles) {
+TEST(InputFromArrays, RefusesMasksAndWeightsAndColumnsOfFiles) {
   const Square square;
   const std::vector<std::uint8_t> mask(5, 1);
   Arrays arrays = square.arrays();
@@ -120,6 +120,7 @@ TEST(InputFromArrays, RefusesMasksAndWeightsOfFiles) {
   arrays.face_mask = std::span(mask).first(2);
   EXPECT_THROW(make_input(arrays), CapabilityError);
   EXPECT_THROW(square.input({.weights = "w.txt"}), OptionError);
+  EXPECT_THROW(square.input({.columns = "1,2,3"}), OptionError);
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ struct ReadOptions {
   /// with one number a line for each face of the file, in its order ('#' starts a comment); empty: all weigh 1. The
   /// length of a path is its length in each face times the face's weight; along an edge the lowest weight of its faces.
   std::string weights;
+  /// The columns of x, y and z of a table of points (XYZ, CSV): three names, as "x,y,z", which the file must give above
+  /// its points, or three numbers from 1, as "2,3,4"; empty: those named x, y and z, else the first three.
+  std::string columns;
 };
 
 /// The file that the options name for weights; empty if they name none. Throws OptionError as `read_input`.
@@ -51,8 +54,8 @@ struct InputFacts {
 /// `element_of_row`.
 struct Input {
   std::filesystem::path file;  ///< empty for an input from memory
-  std::string format;          ///< "off", "obj", "ply", "stl", "xyz", "arrays"
-  std::string hash;            ///< of the bytes of the file or arrays: 32 hexadecimal digits (XXH3, 128 bits)
+  std::string format;          ///< "off", "obj", "ply", "stl", "xyz", "csv", "arrays"
+  std::string hash;  ///< of the bytes of the file, unpacked, or arrays: 32 hexadecimal digits (XXH3, 128 bits)
   InputKind kind = InputKind::points;
   std::vector<Vec3> positions;          ///< the points or vertices used: finite; those of a cloud pairwise distinct
   std::vector<Index> element_of_row;    ///< row of the file -> entry of `positions`; no_index if dropped
@@ -65,10 +68,11 @@ struct Input {
   InputFacts facts;
 };
 
-/// Reads OFF, OBJ, PLY (ascii, both endians), STL (ascii, binary) or XYZ, the format told by the content where the
-/// content tells and by the name otherwise, and checks it. Polygons are split into triangles. Throws InputError, naming
-/// file and element (line, vertex or face, from 0), for what cannot be used, weights that are missing, not positive or
-/// not finite among it; OptionError for `options.weights` without a name. O(n log n).
+/// Reads OFF, OBJ, PLY (ascii, both endians), STL (ascii, binary), XYZ or CSV, also compressed by gzip, the format told
+/// by the content where the content tells and by the name otherwise, and checks it. Polygons are split into triangles.
+/// Throws InputError, naming file and element (line, vertex or face, from 0), for what cannot be used, weights that are
+/// missing, not positive or not finite among it; OptionError for `options.weights` without a name and `options.columns`
+/// that are not there. O(n log n).
 Input read_input(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// A mesh or points as a program has them in memory. `make_input` copies what it needs.
