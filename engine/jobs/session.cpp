@@ -25,7 +25,8 @@ struct Session::Impl : SessionState {
 
 namespace {
 
-void check_end(const NamedPoint& end, const std::string& what) {
+void check_end(const NamedPoint& end, const PlacedSurface& surface, const std::string& what) {
+  demand_on_part(end, surface, what + ": ");
   if (end.start != 0) throw OptionError(what + " has no start distance of its own");
   if (end.place.state == Place::State::dropped) throw OptionError(what + ": row " + end.label + " was dropped");
 }
@@ -154,7 +155,7 @@ std::vector<Distance> Session::nearest(std::span<const NamedPoint> sources, std:
 
 PathResult Session::path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule) const {
   check_path_rule(rule);
-  check_end(from, "the start of the path"), check_end(to, "the end of the path");
+  check_end(from, surface(), "the start of the path"), check_end(to, surface(), "the end of the path");
   check_rule(rule, impl_->start.opened, {&from, 1});
   demand(impl_->plugin.info, Provides::paths);
   const SourceSurface on = SourceSurfaces(rule, impl_->start.opened, {to}).of(from);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/named_points.hpp"
 
+#include <sstream>
 #include <unordered_map>
 
+#include "engine/surface/part_surface.hpp"
 #include "engine/surface/place.hpp"
 #include "engine/surface/selection.hpp"
 
@@ -38,6 +40,7 @@ class Resolver {
   Place closest(const Vec3& position) {
     if (!locator_) locator_ = std::make_shared<const SurfaceLocator>(surface_.mesh);
     const SurfacePoint at = locator_->closest(position).at;
+    if (surface_.part && !within_reach(surface_, at, position)) return {Place::State::off_part, {}, no_index, position};
     // On a mesh the surface itself was given, so the point meant is the one on it; a cloud's surface is an estimate.
     const bool estimated = surface_.made_from == InputKind::points;
     return place_on(*surface_.mesh, at, estimated ? position : surface_.mesh->position(at));
@@ -104,6 +107,22 @@ PairList resolve(const PairSelection& selection, const Input& input, const Place
   for (const auto& [from, to] : selection.pairs)
     list.pairs.push_back({resolver.point(from, selection.file), resolver.point(to, selection.file)});
   return list;
+}
+
+void demand_on_part(const Selection& selection, std::span<const NamedPoint> points, const PlacedSurface& surface) {
+  for (std::size_t i = 0; i < points.size() && !selection.all; ++i)
+    demand_on_part(points[i], surface, selection.file.empty() ? "" : selection.file + ": ");
+}
+
+void demand_on_part(const NamedPoint& point, const PlacedSurface& surface, const std::string& where) {
+  if (point.place.state != Place::State::off_part) return;
+  const Vec3& p = point.place.position;
+  std::ostringstream text;
+  text.precision(9);
+  text << where << (point.row == no_index ? "the point " : "row ") << point.label << " at (" << p.x << ", " << p.y
+       << ", " << p.z << ") is not on the part of the sample that makes a surface";
+  throw InputError(InputFault::index, text.str(),
+                   "name points on it, such as row " + std::to_string(surface.part->row));
 }
 
 std::vector<NamedPoint> select(const std::string& text, const Input& input, const PlacedSurface& surface) {
