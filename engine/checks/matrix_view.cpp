@@ -14,12 +14,12 @@ std::vector<std::uint64_t> identities(std::span<const NamedPoint> queries, std::
   return ids;
 }
 
-/// Their positions; NaN for one that was dropped.
+/// Their positions; NaN for one without distances.
 std::vector<Vec3> points_of(std::span<const NamedPoint> queries) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   std::vector<Vec3> points;
   for (const NamedPoint& query : queries)
-    points.push_back(query.place.state == Place::State::dropped ? Vec3{nan, nan, nan} : query.place.position);
+    points.push_back(query.place.has_distances() ? query.place.position : Vec3{nan, nan, nan});
   return points;
 }
 

@@ -29,6 +29,12 @@ Remedy take_vertices();                      ///< for a file whose faces are of 
 Remedy finite_points();                      ///< for a mesh with vertices that are not finite
 Remedy use_weights(std::string property);    ///< for weights that were passed over
 
+// Parts of a sample
+/// For a sample that makes no surface as a whole: `what` the part is; `otherwise` is what else helps, or empty.
+Remedy take_part(std::string what, const std::string& otherwise);
+Remedy whole_sample();     ///< for a sample that has no such part
+Remedy whole_or_points();  ///< for a mesh, which is taken as it is
+
 // Points off the surface
 Remedy default_rule();                          ///< for a rule that goes with something else not
 Remedy default_rule_or(std::string otherwise);  ///< `otherwise` is what else helps

@@ -51,7 +51,9 @@ void tell_sample(const JobStart& start, const Observer& observer, Json& json, st
                      {"message", opened.refusal->what()},
                      {"remedy", opened.refusal->remedy()}};
   print(findings, observer, text);
-  print_full(*start.sample, text);
+  SampleReport in_words = *start.sample;  // JSON has the sentences of the library
+  if (opened.refusal) in_words.refusal->remedy = observer.words(opened.refusal->coded_remedy());
+  print_full(in_words, text);
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ struct Session::Impl : SessionState {
 
 namespace {
 
-void check_end(const NamedPoint& end, const std::string& what) {
+void check_end(const NamedPoint& end, const PlacedSurface& surface, const std::string& what) {
+  demand_on_part(end, surface, what + ": ");
   if (end.start != 0) throw OptionError(what + " has no start distance of its own");
   if (end.place.state == Place::State::dropped) throw OptionError(what + ": row " + end.label + " was dropped");
 }
@@ -65,7 +66,7 @@ void check_rows(const RowSet& rows, std::size_t sources) {
 template <class Use>
 void Session::Impl::on_path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule, Use&& use) {
   check_path_rule(rule);
-  check_end(from, "the start of the path"), check_end(to, "the end of the path");
+  check_end(from, start.surface(), "the start of the path"), check_end(to, start.surface(), "the end of the path");
   check_rule(rule, start.opened, {&from, 1});
   demand(plugin.info, Provides::paths);
   const SourceSurface on = SourceSurfaces(rule, start.opened, {to}).of(from);

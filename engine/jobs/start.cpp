@@ -5,6 +5,7 @@
 #include "engine/formats/text_stream.hpp"
 #include "engine/host/stage_context.hpp"
 #include "engine/input/finding_text.hpp"
+#include "engine/jobs/part.hpp"
 #include "engine/report/off_surface_text.hpp"
 #include "engine/search/prepared_solver.hpp"
 
@@ -40,6 +41,41 @@ void tell_input(const Input& input, const RunSettings& settings, Observer& obser
   if (input.kind == InputKind::mesh) tell_unused(settings.stages, observer);
 }
 
+/// Whoever reads nothing but warnings must know that not all is measured.
+void add_part_finding(PlacedSurface& surface) {
+  const SurfacePart& part = *surface.part;
+  const std::size_t others = part.sample - part.points;
+  if (others > 0)
+    surface.findings.push_back(
+        {Finding::Severity::warning,
+         "part",
+         "the surface is of a part of the sample, " + text_of(part) + ": the others have no distances (nan)",
+         others,
+         {},
+         {}});
+}
+
+/// The report on a sample as a whole, whose refusal it completes; none for a mesh. `found`: the part that was looked
+/// for because the whole is refused or because `wanted` says so.
+std::optional<SampleReport> report_on(const Input& input, SurfaceAttempt& whole, const std::optional<FoundPart>& found,
+                                      bool wanted, std::optional<double> factor, std::uint64_t seed) {
+  if (!whole.surface.sample) return std::nullopt;
+  if (wanted && !whole.refusal) {
+    const SampleReport report = make_sample_report(input, whole.surface, nullptr, factor, seed);
+    whole.refusal = without_part(report);
+    whole.surface.mesh.reset(), whole.surface.locator.reset(), whole.surface.inserter.reset();
+    whole.surface.places.clear();
+  } else if (whole.refusal && has_candidates(whole)) {
+    whole.refusal = with_part(*whole.refusal, found);
+  }
+  const SampleError* refusal = whole.refusal ? &*whole.refusal : nullptr;
+  if (refusal) factor.reset();  // no solver runs
+  SampleReport report = make_sample_report(input, whole.surface, refusal, factor, seed);
+  if (refusal && has_candidates(whole))
+    report.part = found ? found->surface.part : SurfacePart{.sample = input.positions.size()};
+  return report;
+}
+
 }  // namespace
 
 void tell(const std::vector<Finding>& findings, Observer& observer) {
@@ -73,13 +109,21 @@ JobStart start_quietly(Input input, const PluginHost& host, const RunSettings& s
   JobStart start{{.input = std::move(input)}, std::nullopt};
   Opened& opened = start.opened;
   const Stopwatch watch;
+  const bool of_part = settings.part == Part::largest;
+  if (of_part && opened.input.kind == InputKind::mesh)
+    throw OptionError("a part is of a point sample: a mesh is taken as it is", remedies::whole_or_points());
   SurfaceAttempt attempt = try_surface(opened.input, host, settings, observer);
-  opened.surface = std::move(attempt.surface), opened.refusal = std::move(attempt.refusal);
+  std::optional<FoundPart> part;
+  if (attempt.surface.sample && (of_part || attempt.refusal))
+    part = find_part(opened.input, attempt, host, settings, factor, observer);
+  if (of_part && part) {
+    opened.surface = std::move(part->surface), start.sample = std::move(part->report);
+    add_part_finding(opened.surface);
+  } else {
+    start.sample = report_on(opened.input, attempt, part, of_part, factor, settings.seed);
+    opened.surface = std::move(attempt.surface), opened.refusal = std::move(attempt.refusal);
+  }
   opened.surface_seconds = watch.seconds();
-  if (!opened.surface.sample) return start;
-  const SampleError* refusal = opened.refusal ? &*opened.refusal : nullptr;
-  if (refusal) factor.reset();  // no solver runs
-  start.sample = make_sample_report(opened.input, opened.surface, refusal, factor, settings.seed);
   return start;
 }
 

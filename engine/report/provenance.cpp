@@ -42,11 +42,13 @@ void summarize_solver(const PreparedSolver& solver, std::ostream& out) {
 }  // namespace
 
 Json settings_json(const RunSettings& settings) {
-  return {{"version", version()},
-          {"interface_version", interface_version},
-          {"build", build_tag},
-          {"seed", settings.seed},
-          {"threads", thread_count(settings)}};
+  Json json{{"version", version()},
+            {"interface_version", interface_version},
+            {"build", build_tag},
+            {"seed", settings.seed},
+            {"threads", thread_count(settings)}};
+  if (settings.part == Part::largest) json["part"] = "largest";
+  return json;
 }
 
 void add_surface(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,

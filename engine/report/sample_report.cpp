@@ -96,6 +96,7 @@ SampleReport make_sample_report(const Input& input, const PlacedSurface& surface
   report.diagonal = input.facts.bounding_box_diagonal;
   report.figures = figures_of(surface.stages);
   if (report.figure("sigma").is_measured()) report.facts.sigma = report.figure("sigma").value;
+  report.part = surface.part;
   if (surface.mesh) report.surface = facts_of(*surface.mesh), report.distance = distance_of(input, surface);
   if (refusal) report.refusal = Refusal{refusal->plugin(), refusal->message(), refusal->remedy()};
   const StageFigure& estimate = report.figure("epsilon");

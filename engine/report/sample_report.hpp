@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "engine/checks/guarantee.hpp"
-#include "engine/report/json.hpp"
 #include "engine/checks/surface_facts.hpp"
 #include "engine/checks/worst_places.hpp"
+#include "engine/report/json.hpp"
 
 namespace geodrome {
 
@@ -43,6 +43,8 @@ struct SampleReport {
   double diagonal = 0;                      ///< of the input's bounding box
   std::optional<SurfaceFacts> surface;      ///< none if the sample was refused
   std::optional<SurfaceDistance> distance;  ///< likewise
+  /// The part that the surface is of; of a sample that was refused the one that could be had, with no points if none.
+  std::optional<SurfacePart> part;
   std::map<std::string, StageFigure> figures;
   GuaranteeVerdict guarantee;
   Practice practice;
@@ -77,6 +79,8 @@ Json to_json(const SurfaceFacts& facts);
 void print_short(const SampleReport& report, std::ostream& out);
 /// Everything, with the claims of the paper and the worst places.
 void print_full(const SampleReport& report, std::ostream& out);
+/// "67644 of 110000 points (61.5 %), around row 5123".
+std::string text_of(const SurfacePart& part);
 /// One line per worst place.
 std::vector<std::string> lines_of(const std::vector<WorstPlace>& worst);
 

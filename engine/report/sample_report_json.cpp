@@ -39,6 +39,19 @@ Json sample_json(const SampleReport& report) {
   return json;
 }
 
+Json part_json(const SurfacePart& part, bool taken) {
+  Json json{{"taken", taken},
+            {"points", part.points},
+            {"of", part.sample},
+            {"share", part.share()},
+            {"spacing", part.spacing},
+            {"set_aside",
+             {{"no_surface", part.no_surface}, {"other_pieces", part.other_pieces}, {"off_surface", part.off_surface}}},
+            {"faces_left_out", part.faces_left_out}};
+  json["row"] = part.row == no_index ? Json(nullptr) : Json(part.row);
+  return json;
+}
+
 Json to_json(const Claim& claim) {
   Json json{{"code", claim.code},     {"claim", claim.name},
             {"source", claim.source}, {"measured", or_null(claim.measured)},
@@ -91,6 +104,7 @@ Json to_json(const SurfaceFacts& facts) {
 Json to_json(const SampleReport& report) {
   Json json{{"sample", sample_json(report)}};
   if (report.surface) json["surface"] = to_json(*report.surface);
+  if (report.part) json["part"] = part_json(*report.part, report.surface.has_value());
   json["guarantee_of_the_paper"] = to_json(report.guarantee);
   json["practice"] = to_json(report.practice);
   json["worst_places"] = Json::array();

@@ -46,6 +46,19 @@ void print_sample(const SampleReport& report, std::ostream& out) {
       << f.unbounded << " unbounded, " << f.dropped + f.nonfinite << " dropped, " << f.merged << " merged\n";
 }
 
+void print_part(const SampleReport& report, std::ostream& out) {
+  if (!report.part) return;
+  const SurfacePart& part = *report.part;
+  if (part.points == 0) {
+    out << "part       none of the sample makes a surface by itself\n";
+    return;
+  }
+  out << "part       " << text_of(part) << ", spacing " << part.spacing
+      << (report.surface ? "" : ", makes a surface by itself") << "; set aside: " << part.no_surface
+      << " where the sample shows no surface that belongs to it, " << part.other_pieces << " near other pieces, "
+      << part.off_surface << " off the surface, and " << part.faces_left_out << " faces that span gaps\n";
+}
+
 void print_stars(const SampleReport& report, std::ostream& out) {
   out << "stars      inconsistent: " << percent_or_not(report.figure("inconsistent_stars"));
   if (report.figure("inconsistent_stars").is_measured())
@@ -168,6 +181,13 @@ const char* word(Practice::Verdict verdict) {
   return words[static_cast<int>(verdict)];
 }
 
+std::string text_of(const SurfacePart& part) {
+  char share[32];
+  std::snprintf(share, sizeof share, "%.3g %%", 100 * part.share());
+  return std::to_string(part.points) + " of " + counted(part.sample, "point", "points") + " (" + share +
+         "), around row " + std::to_string(part.row);
+}
+
 std::vector<std::string> lines_of(const std::vector<WorstPlace>& worst) {
   std::vector<std::string> lines;
   for (const WorstPlace& place : worst) lines.push_back(line_of(place));
@@ -176,6 +196,7 @@ std::vector<std::string> lines_of(const std::vector<WorstPlace>& worst) {
 
 void print_short(const SampleReport& report, std::ostream& out) {
   print_sample(report, out);
+  print_part(report, out);
   print_stars(report, out);
   print_distance(report, out);
   print_practice(report, out);
@@ -184,6 +205,7 @@ void print_short(const SampleReport& report, std::ostream& out) {
 
 void print_full(const SampleReport& report, std::ostream& out) {
   print_sample(report, out);
+  print_part(report, out);
   if (report.surface) print_surface(*report.surface, out);
   print_distance(report, out);
   print_stars(report, out);
@@ -197,8 +219,8 @@ void print_full(const SampleReport& report, std::ostream& out) {
   if (!report.worst.empty()) out << "worst places:\n";
   for (const std::string& line : lines_of(report.worst)) out << "  " << line << "\n";
   if (report.refusal)
-    out << "refused    by " << report.refusal->plugin << ": " << report.refusal->reason << "; "
-        << report.refusal->remedy << "\n";
+    out << "refused    " << (report.refusal->plugin.empty() ? "" : "by " + report.refusal->plugin + ": ")
+        << report.refusal->reason << "; " << report.refusal->remedy << "\n";
 }
 
 }  // namespace geodrome

@@ -104,7 +104,7 @@ std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<
     map = &run_search(solver, *search, starts.sources, {.radius = max_distance, .targets = targets.points()}, context);
   std::vector<Distance> nearest;
   for (const NamedPoint& target : targets.named()) {
-    if (target.place.state == Place::State::dropped)
+    if (!target.place.has_distances())
       nearest.push_back({not_computed, Reach::unreachable, no_index});
     else if (target.place.state == Place::State::isolated || !map)
       nearest.push_back(without_search(sources, target, rule));

@@ -13,7 +13,7 @@
 /// The one rule of distances, and the four questions that it answers: a row, the nearest source, a pair, a path.
 namespace geodrome {
 
-/// Rows of points that were dropped hold it.
+/// Rows of points that were dropped, or are off the part, hold it.
 inline constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
 
 /// False for NaN.
@@ -21,12 +21,12 @@ inline bool is_distance(double value) { return value >= 0; }
 /// Throws NumericalError: a plugin gave `value`, which is no distance, for `whose`, e.g. "target 5".
 [[noreturn]] void throw_no_distance(double value, const std::string& whose);
 
-/// The distance of two places along the surface: NaN if one was dropped; a vertex on no face reaches only itself; else
-/// what `searched()` says, which is called only if both lie on the surface.
+/// The distance of two places along the surface: NaN if one has no distances; a vertex on no face reaches only itself;
+/// else what `searched()` says, which is called only if both lie on the surface.
 template <class Searched>
 double surface_distance(const Place& from, const Place& to, Searched&& searched) {
   using State = Place::State;
-  if (from.state == State::dropped || to.state == State::dropped) return not_computed;
+  if (!from.has_distances() || !to.has_distances()) return not_computed;
   if (from.state == State::on_surface && to.state == State::on_surface) return searched();
   return from.state == to.state && from.vertex == to.vertex ? 0 : infinity;
 }
@@ -57,8 +57,8 @@ void read_row(const ShortestPathMap* map, const NamedPoint& source, const Target
               std::span<double> row);
 
 /// One search from all sources: the distance of every target from the source that is nearest, and which that is; NaN
-/// for a target that was dropped. Throws as `distance_row`, NumericalError for a reach that its distance contradicts,
-/// CapabilityError if a start distance is wanted that the solver does not provide.
+/// for a target that has no distances. Throws as `distance_row`, NumericalError for a reach that its distance
+/// contradicts, CapabilityError if a start distance is wanted that the solver does not provide.
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
                                         const TargetList& targets, double max_distance, RunContext& context);
 

@@ -18,17 +18,17 @@ struct ReachCounts {
   std::uint64_t missed = 0, impossible = 0;
 };
 
-/// Returns the word of outputs for the outcome of a distance: "dropped" for NaN, which stands for a point that was
-/// dropped.
-inline const char* reach_word(double distance, Reach reach) {
-  if (std::isnan(distance)) return "dropped";
+/// Returns the word of outputs for the outcome of a distance to or from a place: for NaN "off_part" if the place is
+/// off the part that was asked for, else "dropped".
+inline const char* reach_word(double distance, Reach reach, const Place& place) {
+  if (std::isnan(distance)) return place.state == Place::State::off_part ? "off_part" : "dropped";
   if (reach == Reach::reached) return "reached";
   return reach == Reach::beyond_limit ? "beyond_limit" : "unreachable";
 }
 
-/// The component of the surface that a place lies in, by those of the vertices; a dropped one is in none.
+/// The component of the surface that a place lies in, by those of the vertices; one without distances is in none.
 inline Index component_of(const SurfaceMesh& mesh, std::span<const Index> of_vertex, const Place& place) {
-  if (place.state == Place::State::dropped) return no_index;
+  if (!place.has_distances()) return no_index;
   const bool isolated = place.state == Place::State::isolated;
   return of_vertex[isolated ? place.vertex : mesh.triangles()[place.at.face][0]];
 }

@@ -5,7 +5,9 @@
 #include <limits>
 #include <unordered_map>
 
+#include "engine/formats/text_stream.hpp"
 #include "engine/surface/off_surface.hpp"
+#include "engine/surface/part_surface.hpp"
 #include "engine/surface/place.hpp"
 #include "engine/surface/selection.hpp"
 
@@ -46,6 +48,8 @@ class Resolver {
     if (!locator_) locator_ = std::make_shared<const SurfaceLocator>(surface_.mesh);
     if (rounding_ < 0) rounding_ = share_of_rounding * surface_diagonal(*surface_.mesh);
     const auto [at, off] = locator_->closest(position);
+    if (surface_.part && !within_reach(surface_, at, position))
+      return {{Place::State::off_part, {}, no_index, position}, entry.start, no_index, entry.label};
     // On a mesh the surface itself was given, so the point meant is the one on it; a cloud's surface is an estimate.
     const bool estimated = surface_.made_from == InputKind::points;
     return {place_on(*surface_.mesh, at, estimated ? position : surface_.mesh->position(at)), entry.start, no_index,
@@ -120,6 +124,22 @@ PairList resolve(const PairSelection& selection, const Input& input, const Place
     list.pairs.push_back({std::move(ends[0]), std::move(ends[1])});
   }
   return list;
+}
+
+void demand_on_part(const Selection& selection, std::span<const NamedPoint> points, const PlacedSurface& surface) {
+  for (std::size_t i = 0; i < points.size() && !selection.all; ++i)
+    demand_on_part(points[i], surface, selection.file.empty() ? "" : selection.file + ": ");
+}
+
+void demand_on_part(const NamedPoint& point, const PlacedSurface& surface, const std::string& where) {
+  if (point.place.state != Place::State::off_part) return;
+  const Vec3& p = point.place.position;
+  TextOutput text;
+  text.precision(9);
+  text << where << (point.row == no_index ? "the point " : "row ") << point.label << " at (" << p.x << ", " << p.y
+       << ", " << p.z << ") is not on the part of the sample that makes a surface";
+  throw InputError(InputFault::index, text.str(),
+                   "name points on it, such as row " + std::to_string(surface.part->row));
 }
 
 std::vector<NamedPoint> select(const std::string& text, const Input& input, const PlacedSurface& surface) {

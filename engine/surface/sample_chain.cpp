@@ -99,8 +99,29 @@ std::vector<Place> project(const Input& input, const SurfaceLocator& locator, co
 
 }  // namespace
 
-SampleChain::SampleChain(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer)
-    : input_(input), host_(host), settings_(settings), observer_(observer), sample_{input.positions} {}
+SampleChain::SampleChain(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer,
+                         std::vector<Index> among)
+    : input_(input),
+      host_(host),
+      settings_(settings),
+      observer_(observer),
+      sample_{input.positions},
+      among_(std::move(among)) {}
+
+/// Stage 1, on the points that take part.
+Tangents SampleChain::estimate(const TangentEstimator& stage, RunContext& context) const {
+  if (among_.empty()) return stage.estimate(sample_, context);
+  PointSample part;
+  for (const Index i : among_) part.points.push_back(sample_.points[i]);
+  Tangents of_part = stage.estimate(part, context), all;
+  if (of_part.plane.size() != part.size() || of_part.state.size() != part.size()) return of_part;  // `check` tells
+  for (const Vec3& point : sample_.points) all.plane.push_back({point, {}, 0});
+  all.state.assign(sample_.size(), PointState::dropped);
+  all.sigma = of_part.sigma;
+  for (Index k = 0; k < among_.size(); ++k)
+    all.plane[among_[k]] = of_part.plane[k], all.state[among_[k]] = of_part.state[k];
+  return all;
+}
 
 template <class Value, class Make>
 const Value& SampleChain::once(Outcomes<Value>& known, const std::string& key, std::vector<StageRecord>& records,
@@ -126,7 +147,7 @@ const SampleChain::Planes& SampleChain::planes(const std::string& key, const Plu
                                                std::vector<StageRecord>& records) {
   return once(planes_, key, records, [&](std::vector<StageRecord>& mine) {
     return run_stage(plugin, settings_, observer_, mine, [&](const auto& stage, RunContext& context) {
-      Tangents tangents = stage.estimate(sample_, context);
+      Tangents tangents = estimate(stage, context);
       check(tangents, sample_.size(), plugin.info);
       PointSample moved = smoothed(sample_, tangents);
       return Planes{std::move(tangents), std::move(moved)};

@@ -17,8 +17,10 @@ namespace geodrome {
 /// Keeps the results of all stages that ran.
 class SampleChain {
  public:
-  /// All must outlive it. `settings.stages` is not used.
-  SampleChain(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
+  /// All must outlive it. `settings.stages` is not used. `among`: the points that take part, ascending, or none for
+  /// all; stage 1 sees no others, later stages see the others as dropped.
+  SampleChain(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer,
+              std::vector<Index> among = {});
 
   /// As `try_surface` with `choice` (its solver does not count), and the same errors. All four plugins are loaded
   /// before the first of them runs. The same call gives the same.
@@ -47,6 +49,7 @@ class SampleChain {
   template <class Value>
   using Outcomes = std::map<std::string, Outcome<Value>>;
 
+  Tangents estimate(const TangentEstimator& stage, RunContext& context) const;
   template <class Value, class Make>
   const Value& once(Outcomes<Value>& known, const std::string& key, std::vector<StageRecord>& records, Make&& make);
   const Planes& planes(const std::string& key, const Plugin<TangentEstimator>& plugin,
@@ -64,6 +67,7 @@ class SampleChain {
   const RunSettings& settings_;
   Observer& observer_;
   PointSample sample_;
+  std::vector<Index> among_;
   Outcomes<Planes> planes_;
   Outcomes<Control> controls_;
   Outcomes<std::vector<Index>> kept_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -68,5 +69,11 @@ NamedPoint point_on(const SurfaceMesh& mesh, const SurfacePoint& at, const std::
 /// list in the text itself. O(entries), and a search of the closest point for each position.
 std::vector<NamedPoint> resolve(const Selection& selection, const Input& input, const PlacedSurface& surface);
 PairList resolve(const PairSelection& selection, const Input& input, const PlacedSurface& surface);
+
+/// Throws InputError, naming the point, the place and a row that would do, for a point that was named and is not on the
+/// part of the sample that the surface is of. `where`: what the message begins with.
+void demand_on_part(const NamedPoint& point, const PlacedSurface& surface, const std::string& where);
+/// The same for all points of a list that names them; "all" names none.
+void demand_on_part(const Selection& selection, std::span<const NamedPoint> points, const PlacedSurface& surface);
 
 }  // namespace geodrome

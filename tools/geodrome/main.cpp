@@ -18,7 +18,7 @@
 namespace {
 
 constexpr const char* footer =
-    "Indices count from 0. Unreachable is inf, dropped nan.\n"
+    "Indices count from 0. Unreachable is inf, dropped or off the part nan.\n"
     "Exit status: 0 done, 1 internal error, 2 usage, 3 bad input, unwritable output, or a plugin's needs or provides "
     "not met,\n"
     "4 refused (disk, memory, --yes, sample or surface not fit, a plugin by 'plugins check'), 5 plugin failure or distances "

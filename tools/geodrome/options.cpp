@@ -109,7 +109,15 @@ void add_threads(CLI::App& command, unsigned& threads, const std::string& help) 
       ->group(run_group);
 }
 
+void add_part(CLI::App& command, RunSettings& settings) {
+  add_choice<Part>(
+      command, "--part", settings.part, {{"whole", Part::whole}, {"largest", Part::largest}},
+      "Of a point sample: all of it, or the largest part that makes a surface by itself; what is not on it "
+      "is NaN and counted");
+}
+
 void add_job_options(CLI::App& command, RunSettings& settings, bool& quiet) {
+  add_part(command, settings);
   add_sample_stages(command, settings.stages);
   add_read_options(command, settings.read);
   add_plugin_path(command, settings.plugin_path);

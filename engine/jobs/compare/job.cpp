@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/formats/remedies.hpp"
 #include "engine/host/apart.hpp"
 #include "engine/input/finding_text.hpp"
 #include "engine/jobs/check_outputs.hpp"
@@ -23,6 +24,9 @@ namespace {
 
 /// Mistakes that would otherwise show after all is computed.
 void check_arguments(const CompareJob& job) {
+  if (job.settings.part != Part::whole)
+    throw OptionError("combinations are compared on whole samples: each would find another part",
+                      remedies::whole_sample());
   check_ending(job.figures, Content::figures);
   check_ending(job.page, Content::page);
   const std::string selections[] = {job.sources};

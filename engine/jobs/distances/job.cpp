@@ -53,6 +53,7 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   json["sources"] = digest(sources), json["targets"] = digest(targets);
   json["dtype"] = job.scalar == ScalarType::float64 ? "float64" : "float32";
   json["seed"] = job.settings.seed;
+  if (opened.surface.part) json["part"] = "largest";
   return json.dump();
 }
 
@@ -122,6 +123,7 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   if (opened.refusal && !job.report.empty()) write_atomically(job.report, refusal_report(job, start) + "\n");
   throw_if_refused(start, observer);
   const std::vector<NamedPoint> sources = resolve(from, opened.input, opened.surface);
+  demand_on_part(from, sources, opened.surface);
   check_rule(job.query, opened, sources);
   std::vector<NamedPoint> named = resolve(to, opened.input, opened.surface);
   const OffSurface off = tell_off_surface(opened.input, opened.surface, {{from, sources}, {to, named}}, observer);

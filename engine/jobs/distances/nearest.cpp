@@ -24,7 +24,8 @@ std::string as_csv(const NearestResult& nearest, std::span<const NamedPoint> sou
   for (std::size_t j = 0; j < targets.size(); ++j) {
     const Distance& d = nearest.distances[j];
     text += targets[j].label + "," + number_text(d.value) + "," +
-            (d.source == no_index ? "" : sources[d.source].label) + "," + reach_word(d.value, d.reach) + "\n";
+            (d.source == no_index ? "" : sources[d.source].label) + "," +
+            reach_word(d.value, d.reach, targets[j].place) + "\n";
   }
   return text;
 }

@@ -35,8 +35,10 @@ std::string as_csv(std::span<const NamedPair> pairs, std::span<const double> val
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     text += std::to_string(i) + "," + pairs[i].from.label + "," + pairs[i].to.label + ",";
     text += std::isnan(values[i]) ? "nan" : number_text(values[i]);  // without the sign of a NaN
-    text +=
-        std::string(",") + reach_word(values[i], std::isinf(values[i]) ? Reach::unreachable : Reach::reached) + "\n";
+    const bool from_is_off = pairs[i].from.place.state == Place::State::off_part;
+    const Place& place = from_is_off ? pairs[i].from.place : pairs[i].to.place;
+    const Reach reach = std::isinf(values[i]) ? Reach::unreachable : Reach::reached;
+    text += std::string(",") + reach_word(values[i], reach, place) + "\n";
   }
   return text;
 }

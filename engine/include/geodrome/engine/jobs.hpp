@@ -43,7 +43,7 @@ struct JobReport {
 
 /// Does the whole job: reads, runs the stages, computes, checks, writes. Files appear whole or not at all, but for
 /// MATRIX.partial, which an interrupted job leaves for `resume`. Throws any geodrome::Error. Memory: the surface, the
-/// prepared solver, and O(targets) per thread.
+/// prepared solver, and O(targets) per thread. InputError for a source off the part, unless `sources` is "all".
 JobReport run_distances(const DistanceJob& job, Observer& observer);
 
 /// Distances of many pairs of points, by the oracle of a solver that provides pair_queries. Points of a cloud lie at
@@ -58,8 +58,9 @@ struct PairJob {
 };
 
 /// Does the whole job, as `run_distances`, with the same bytes in `out` for any number of threads and whether the
-/// oracle was built or read; +inf: unreachable, NaN: a row was dropped. `broken_promises` tells of reach within and
-/// across components, D(s, s), D >= Euclid, and a few pairs against searches. Throws any geodrome::Error:
+/// oracle was built or read; +inf: unreachable, NaN: a row was dropped or is off the part. `broken_promises` tells of
+/// reach within and across components, D(s, s), D >= Euclid, and a few pairs against searches. Throws any
+/// geodrome::Error:
 /// CapabilityError for another solver, InputError for pairs that cannot be read and for an index that is damaged or
 /// belongs to another mesh, solver, option or seed. Memory: the surface, the prepared solver, the oracle (twice while
 /// it is saved), and O(pairs).

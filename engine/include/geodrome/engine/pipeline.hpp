@@ -21,10 +21,14 @@ struct StageChoice {
               solver = "chen_han";
 };
 
+/// What is measured of a point sample: all of it, or the largest part that makes a surface by itself (`SurfacePart`).
+enum class Part : std::uint8_t { whole, largest };
+
 /// The settings that every job has. `threads` 0 means one per core. No result depends on it.
 struct RunSettings {
   StageChoice stages;
   ReadOptions read;
+  Part part = Part::whole;
   std::vector<std::filesystem::path> plugin_path;
   unsigned threads = 0;
   std::uint64_t seed = 1;
@@ -43,8 +47,12 @@ struct Place {
   enum class State : std::uint8_t {
     on_surface,
     isolated,  ///< a vertex that no face uses: reaches only itself
-    dropped    ///< not finite or an outlier: its distances are NaN
+    dropped,   ///< not finite or an outlier: its distances are NaN
+    off_part   ///< not on the part of the sample that was asked for: its distances are NaN
   };
+
+  /// False for a place whose distances are NaN.
+  bool has_distances() const { return state == State::on_surface || state == State::isolated; }
 
   State state = State::dropped;
   SurfacePoint at;          ///< if on_surface
@@ -60,6 +68,20 @@ struct SampleStages {
   std::vector<Index> kept, sample_of_vertex;
 };
 
+/// The part of a sample that a surface was made of, and what was set aside; in points of the sample, each once.
+struct SurfacePart {
+  std::size_t points = 0, sample = 0;  ///< on the part; in the sample
+  std::size_t no_surface = 0;          ///< set aside: their neighbourhoods are no surface that hangs together with it
+  std::size_t other_pieces = 0;        ///< set aside: near other pieces of the surface
+  std::size_t off_surface = 0;         ///< set aside: farther from the surface than three spacings
+  std::size_t faces_left_out = 0;      ///< faces that span what the sample does not show
+  Index row = no_index;                ///< a row in the middle of the part
+  double spacing = 0;                  ///< of the points that the surface was made from, median, units of the input
+  std::vector<double> reach;           ///< per vertex of the surface: how far from it a point may be to be on the part
+
+  double share() const { return static_cast<double>(points) / static_cast<double>(sample); }
+};
+
 /// A surface, and on it a place for every row of the input.
 struct PlacedSurface {
   InputKind made_from = InputKind::mesh;
@@ -68,6 +90,7 @@ struct PlacedSurface {
   std::shared_ptr<const PointInserter> inserter;  ///< null where the reconstructor has none, and for a mesh
   std::vector<Place> places;
   std::optional<SampleStages> sample;
+  std::optional<SurfacePart> part;  ///< if the surface is of a part of the sample: see `RunSettings::part`
   std::vector<StageRecord> stages;
   std::vector<Finding> findings;  ///< their elements are rows of the input
 };
@@ -81,7 +104,8 @@ struct SurfaceAttempt {
 
 /// Lines 3 to 7 of Algorithm 2: stages 1 to 4 for a cloud; for a mesh, the mesh. Places follow the corrected query
 /// rule: the globally closest point of the surface. Errors: what the plugins throw, and PluginError for a result that
-/// breaks the interface. Complexity: that of the plugins, and O(n log F) for the places.
+/// breaks the interface. Complexity: that of the plugins, and O(n log F) for the places. `settings.part` is not used:
+/// jobs and sessions choose the part.
 PlacedSurface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
 
 /// As `make_surface`, but a SampleError is returned with what was learned, for the sample report.

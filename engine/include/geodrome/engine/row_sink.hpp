@@ -8,8 +8,8 @@
 namespace geodrome {
 
 /// Takes the rows of a distance matrix as they are computed: rows = sources, columns = targets, both from 0, +inf for
-/// unreachable or beyond the limit, NaN for a dropped point. `MatrixFile` (matrix_file.hpp) stores them on disk,
-/// `MatrixInMemory` in memory; `RowStatistics` keeps a summary of each.
+/// unreachable or beyond the limit, NaN for a point that was dropped or is off the part. `MatrixFile` (matrix_file.hpp)
+/// stores them on disk, `MatrixInMemory` in memory; `RowStatistics` keeps a summary of each.
 ///
 /// Rows come in any order and from several threads, each at most once. What a sink keeps must not depend on that order:
 /// it writes only what belongs to the row, and combines rows in `finish`, in ascending order. A sparse sink (CSR) would

@@ -23,7 +23,8 @@ namespace geodrome {
 Observer& silent_observer() noexcept;
 
 /// An input with its surface, and distances on it in memory: what the jobs do, without their files. Units are those of
-/// the input, indices count from 0, distances are +inf for unreachable and beyond the limit, NaN for a dropped row.
+/// the input, indices count from 0, distances are +inf for unreachable and beyond the limit, NaN for a row that was
+/// dropped or is off the part (`RunSettings::part`).
 ///
 /// The surface is made at once, the solver prepares it with the first question and stays prepared. Every const member
 /// may be called from several threads at once; each uses `RunSettings::threads` threads where it says so, and no
@@ -95,7 +96,7 @@ class Session {
                                 double max_distance = infinity) const;
 
   /// A shortest path; one search on one thread. Throws OptionError for `printed`, for a dropped end and for one with a
-  /// start distance, CapabilityError if the solver has no paths.
+  /// start distance, InputError for one off the part, CapabilityError if the solver has no paths.
   PathResult path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule = ProjectionRule::project) const;
 
   /// Audits what the three members around here gave, by searches of other kinds, one line for each promise of the
