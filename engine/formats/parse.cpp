@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "engine/formats/ending.hpp"
+#include "engine/formats/gzip.hpp"
 #include "engine/formats/table.hpp"
 #include "engine/formats/text.hpp"
 

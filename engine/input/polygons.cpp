@@ -144,7 +144,7 @@ std::vector<Index> begun_anywhere(std::span<const Index> polygon) {
   std::vector<Index> corners(polygon.begin(), polygon.end()), best = corners;
   const Index least = *std::ranges::min_element(corners);
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    std::ranges::rotate(corners, corners.begin() + 1);
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
     if (corners[0] == least && corners < best) best = corners;
   }
   return best;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "engine/formats/columns/table_row.hpp"
@@ -14,8 +13,6 @@
 
 namespace geodrome::input {
 namespace {
-
-constexpr std::string_view axes[] = {"x", "y", "z"};
 
 std::vector<std::string> words_of(std::string_view text, Separator separator) {
   std::vector<std::string_view> fields;
@@ -40,9 +37,10 @@ std::optional<Columns> named_axes(const std::vector<std::string>& names) {
 }
 
 std::string first_names(const std::vector<std::string>& names) {
-  const auto some =
-      names | std::views::take(3) | std::views::transform([](const auto& name) { return input::quoted(name); });
-  return joined(std::vector<std::string>(some.begin(), some.end())) + (names.size() > 3 ? ", ..." : "");
+  constexpr std::size_t shown = 3;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) append_word(list, quoted(std::string_view(names[i])));
+  return list + (names.size() > shown ? ", ..." : "");
 }
 
 }  // namespace
@@ -78,6 +76,7 @@ std::size_t ColumnChoice::chosen_column(const std::string& wanted, std::size_t c
   for (const NameLine& line : lines_) {
     const std::vector<std::string> names = line.names(count);
     if (names.size() != count) continue;
+    if (std::ranges::count(names, wanted) == 1) return std::ranges::find(names, wanted) - names.begin();
     if (const auto place = place_of(wanted, names)) return *place;
     known = ", whose columns are " + first_names(names);
   }

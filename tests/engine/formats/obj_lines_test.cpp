@@ -21,7 +21,7 @@ std::string with_crlf(std::string text) {
 }
 
 TEST(ObjLines, CommentsEndWithTheirLine) {
-  for (const std::string bytes :
+  for (const std::string& bytes :
        {"# C:\\models\\\n" + vertices + "f 1 2 3\n# end \\\nf 1 3 4\n",
         std::string("v 0 0 0 # first \\\nv 1 0 0\nv 1 1 0\nv 0 1 0#\\\nf 1 2 3 # \\\nf 1 3 4\n")}) {
     EXPECT_FALSE(has_warning(read_obj(bytes)));
@@ -39,7 +39,7 @@ TEST(ObjLines, NamesSwallowNoVertexAndNoFace) {
 }
 
 TEST(ObjLines, ContinuationsJoinNumbers) {
-  for (const std::string bytes :
+  for (const std::string& bytes :
        {vertices + "f 1 2 \\\n3\nf 1\\\n3\\\n4\n", vertices + "f 1 2 \\  \n  3\nf 1 \\\t\n3 4\n",
         std::string("v 0 \\\n0\\\n-0\nv 1 0 +0\nv 1 1 \\\n.0\nv 0 1 0\nf -4 -3 \\\n-2\nf 1/1 3/3\\\n 4/4\n"),
         vertices + "f 1 2 3\nf 1 3 4\\", vertices + "f 1 2 3\nf 1 3 4 \\\n\n"}) {

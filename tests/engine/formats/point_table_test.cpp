@@ -54,6 +54,7 @@ TEST(PointTables, TakeTheColumnsThatAreChosen) {
   expect_points("p.xyz", "3\n" + labelled, "2, 3, 4");
   expect_points("p.csv", "h,E,N\n0,0.5,0\n0,1,2\n3,0,1\n", "e,n,H");
   expect_points("p.csv", "x,y,z\n0,0,0.5\n0,2,1\n3,1,0\n", "3,2,1");
+  expect_points("p.csv", "x,y,z,X,Y,Z\n9,9,9,0.5,0,0\n9,9,9,1,2,0\n9,9,9,0,1,3\n", "X,Y,Z");
   expect_points("p.txt", "# h E N\n0 0.5 0\n0 1 2\n3 0 1\n", "E,N,h");
 }
 

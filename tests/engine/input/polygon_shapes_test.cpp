@@ -52,7 +52,7 @@ double area_of(const Input& input) {
 
 /// Triangles whatever their order and first corner.
 std::vector<Triangle> sorted(std::vector<Triangle> triangles) {
-  for (Triangle& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+  for (Triangle& t : triangles) std::rotate(t.begin(), std::ranges::min_element(t), t.end());
   std::ranges::sort(triangles);
   return triangles;
 }
@@ -158,7 +158,7 @@ void expect_covers_however_it_lies(const Face& face, Random& random, bool same_t
   const std::vector<Triangle> triangles = sorted(read_face(face).triangles);
   Face turned = face;
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
-    std::ranges::rotate(turned.corners, turned.corners.begin() + 1);
+    std::rotate(turned.corners.begin(), turned.corners.begin() + 1, turned.corners.end());
     const Input input = read_face(turned);
     expect_covers(input, turned);
     if (same_triangles) {
