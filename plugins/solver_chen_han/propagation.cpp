@@ -66,7 +66,7 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double,
 
 /// Carries on what waits at a half-edge, as one list.
 void Propagation::process(Index half_edge, Index block) {
-  if (store_[block].next != no_index || surface_.is_fan(half_edge)) return gather(half_edge, block);
+  if (store_[block].next != no_index || surface_.branches(half_edge)) return gather(half_edge, block);
   pass(half_edge, {store_[block].windows(), store_[block].count}, store_[block].depth);
   store_.release(block);
 }
@@ -97,7 +97,7 @@ void Propagation::gather(Index half_edge, Index first_block) {
     trimming_.merge(list_, store_[b].windows(), store_[b].count);
     store_.release(b);
   }
-  if (surface_.is_fan(half_edge)) fans_.keep_nearest(half_edge, list_);
+  if (surface_.branches(half_edge)) fans_.keep_nearest(half_edge, list_);
   if (list_.empty()) return;
   list_.arrays().pad(list_.size());
   pass(half_edge, {list_.arrays(), list_.size()}, depth);
@@ -256,7 +256,7 @@ Index Propagation::claim(Index block, Index edge) {
 
 /// Lets a block wait at the other half-edges of an edge.
 void Propagation::hand_on(Index block, Index edge) {
-  if (surface_.is_fan(edge)) block = claim(block, edge);
+  if (surface_.branches(edge)) block = claim(block, edge);
   if (store_[block].count != 1 || !is_close(store_[block].windows(), surface_.length(edge))) {
     counts_.created += wavefront_.push_block(block, edge, limit_);
     return;

@@ -145,6 +145,11 @@ void PackedMesh::mark_copies() {
   copies_.assign(faces_.size(), false);
   for (std::size_t i = 1; i < named.size(); ++i)
     if (named[i].first == named[i - 1].first) copies_[named[i].second] = true;
+  for (const auto& [first, last] : fans_) {
+    const auto is_no_copy = [this](Index h) { return !copies_[h / 3]; };
+    branching_.push_back(std::count_if(fan_half_edges_.begin() + first, fan_half_edges_.begin() + last, is_no_copy) >
+                         2);
+  }
 }
 
 void PackedMesh::list_corners() {

@@ -69,7 +69,7 @@ void Propagation::seed_face(const SurfacePoint& at, const Source& source, Index 
 /// Carries on everything that came to a half-edge as one front: fronts of one entry are united first, then the entries
 /// are joined in their order.
 void Propagation::process(Index half_edge) {
-  if (arrivals_.size() == 1 && !surface_.is_fan(half_edge)) {
+  if (arrivals_.size() == 1 && !surface_.branches(half_edge)) {
     Arrival arrival = std::move(arrivals_.front());
     arrivals_.clear();
     return pass(half_edge, std::move(arrival.front), arrival.ends, arrival.course);
@@ -88,7 +88,7 @@ void Propagation::process(Index half_edge) {
       editor_.join(front, std::move(same.front), length);
   }
   arrivals_.clear();
-  if (surface_.is_fan(half_edge)) fans_.keep_nearest(front, half_edge);
+  if (surface_.branches(half_edge)) fans_.keep_nearest(front, half_edge);
   if (front.empty()) return;
   const Ends ends = ends_of(front, length);
   pass(half_edge, std::move(front), ends, course);
@@ -253,10 +253,11 @@ void Propagation::carry(const Apex& apex, Front front, bool to_left, Course cour
 /// `edge`.
 void Propagation::hand_on(Front front, Ends ends, Index edge, Entry entry, const Course& course) {
   const double length = surface_.length(edge);
-  if (surface_.is_fan(edge)) {
+  if (surface_.is_fan(edge)) entry = Entry::loose;
+  if (surface_.branches(edge)) {
     fans_.claim(front, edge);
     if (front.empty()) return;
-    ends = ends_of(front, length), entry = Entry::loose;
+    ends = ends_of(front, length);
   }
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
   if (near * (1 - rounding_share) > limit_) return;

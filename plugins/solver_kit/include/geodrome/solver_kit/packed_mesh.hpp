@@ -73,6 +73,9 @@ class PackedMesh {
     const Index code = faces_[h / 3].across[h % 3];
     return code != no_index && (code & fan_bit) && fans_[code & ~fan_bit].second - fans_[code & ~fan_bit].first > 2;
   }
+  /// Tells whether more than two faces that are no copies (`is_copy`) meet at the edge of `h`: what comes through one
+  /// of them goes on into several.
+  bool branches(Index h) const { return is_fan(h) && branching_[fan(h)]; }
   /// Returns the number of an edge at which more than two faces meet. Precondition: `is_fan`. Numbers are below
   /// `fan_count()`; not all of them are used.
   Index fan(Index h) const { return faces_[h / 3].across[h % 3] & ~fan_bit; }
@@ -165,7 +168,7 @@ class PackedMesh {
   std::vector<Face> faces_;
   std::vector<std::pair<Index, Index>> fans_;
   std::vector<Index> fan_half_edges_;
-  std::vector<bool> copies_;  ///< of faces; empty if no edge has more than one other face
+  std::vector<bool> copies_, branching_;  ///< of faces, of fans; empty if no edge has more than one other face
   std::vector<Index> first_corner_, corners_;
   std::vector<VertexKind> kind_;
   std::vector<Index> vertex_of_original_, original_vertex_, face_of_original_, original_face_;
