@@ -23,7 +23,7 @@ constexpr RemedySentence sentences[] = {
     {"read.vertices", "set `read.as` to points to take its vertices"},
     {"read.finite_points", "repair the mesh, or set `read.as` to points and `read.drop_nonfinite`"},
     {"read.weights", "set `read.weights` to property:{0} to measure with it"},
-    {"part.take", "set `part` to largest for the part that makes a surface by itself, {0}{1}"},
+    {"part.take", "set `part` to largest for the part that makes a surface by itself, {0}"},
     {"part.whole", "leave `part` at whole"},
     {"part.whole_or_points", "leave `part` at whole, or set `read.as` to points to take the vertices"},
     {"query.project", "leave `query` at project"},
@@ -91,7 +91,7 @@ Remedy finite_points() { return made(row("read.finite_points")); }
 Remedy use_weights(std::string property) { return made(row("read.weights"), {std::move(property)}); }
 
 Remedy take_part(std::string what, const std::string& otherwise) {
-  return made(row("part.take"), {std::move(what), otherwise.empty() ? "" : "; or " + otherwise});
+  return made(row("part.take"), {std::move(what) + (otherwise.empty() ? "" : "; or " + otherwise)});
 }
 Remedy whole_sample() { return made(row("part.whole")); }
 Remedy whole_or_points() { return made(row("part.whole_or_points")); }

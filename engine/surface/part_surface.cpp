@@ -201,6 +201,15 @@ void take(PlacedSurface& surface, CutMesh made) {
   surface.locator = std::make_shared<const SurfaceLocator>(surface.mesh);
   surface.sample->sample_of_vertex = std::move(made.sample_of_vertex);
   surface.inserter.reset();
+  // What was said of the boundary and the components of the surface that was cut is no longer so.
+  std::erase_if(surface.findings, [](const Finding& f) { return f.code == "components" || f.code == "boundary"; });
+  if (!surface.mesh->closed())
+    surface.findings.push_back({Finding::Severity::warning,
+                                "boundary",
+                                "the part has a boundary, where the sample shows no more of the surface.",
+                                1,
+                                {},
+                                {}});
 }
 
 }  // namespace

@@ -41,13 +41,37 @@ Planes planes_of(const SampleStages& stages) {
   return planes;
 }
 
+/// The `k` nearest of every point, nearest first.
+class Neighbourhoods {
+ public:
+  Neighbourhoods(const std::vector<Vec3>& points, std::size_t k, Observer& observer) : k_(k) {
+    constexpr Index often = 4096;
+    const NearestPoints tree(points);
+    around_.reserve(k * points.size());
+    for (Index i = 0; i < points.size(); ++i) {
+      if (i % often == 0 && observer.cancelled()) throw Cancelled();
+      std::vector<Index> found = tree.nearest(points[i], k + 1);
+      std::erase(found, i);
+      around_.insert(around_.end(), found.begin(), found.begin() + static_cast<std::ptrdiff_t>(k));
+    }
+  }
+  std::span<const Index> of(Index i, std::size_t count) const { return {around_.data() + i * k_, count}; }
+
+ private:
+  const std::size_t k_;
+  std::vector<Index> around_;
+};
+
 /// The sample as seen from every point's `k` nearest.
 class Scale {
  public:
-  Scale(const Planes& planes, const NearestPoints& tree, std::size_t k, Observer& observer)
-      : planes_(planes), k_(k), normals_(planes.normals), centres_(planes.points.size()), radius_(centres_.size()) {
-    around_.reserve(k * centres_.size());
-    for (Index i = 0; i < centres_.size(); ++i) find_nearest(tree, i, observer);
+  Scale(const Planes& planes, const Neighbourhoods& around, std::size_t k)
+      : planes_(planes),
+        around_(around),
+        k_(k),
+        normals_(planes.normals),
+        centres_(planes.points.size()),
+        radius_(centres_.size()) {
     average_normals(), average_normals();  // once leaves a normal that was far off its neighbours' out of line
     for (Index i = 0; i < centres_.size(); ++i) measure(i);
   }
@@ -72,17 +96,7 @@ class Scale {
   }
 
  private:
-  std::span<const Index> neighbours(Index i) const { return {around_.data() + i * k_, k_}; }
-
-  void find_nearest(const NearestPoints& tree, Index i, Observer& observer) {
-    constexpr Index often = 4096;
-    if (i % often == 0 && observer.cancelled()) throw Cancelled();
-    std::vector<Index> found = tree.nearest(planes_.points[i], k_ + 1);
-    std::erase(found, i);
-    found.resize(k_, found.back());  // one too many where smoothing moved points to one place
-    around_.insert(around_.end(), found.begin(), found.end());
-    radius_[i] = distance(planes_.points[i], planes_.points[found.back()]);
-  }
+  std::span<const Index> neighbours(Index i) const { return around_.of(i, k_); }
 
   void average_normals() {
     std::vector<Vec3> mean(normals_.size());
@@ -97,6 +111,7 @@ class Scale {
 
   void measure(Index i) {
     const Vec3& base = planes_.points[i];
+    radius_[i] = distance(base, planes_.points[neighbours(i).back()]);
     Vec3 sum;
     for (const Index j : neighbours(i)) sum = sum + (planes_.points[j] - base);
     const Vec3 mean = sum / static_cast<double>(k_ + 1);
@@ -135,8 +150,8 @@ class Scale {
   }
 
   const Planes& planes_;
+  const Neighbourhoods& around_;
   const std::size_t k_;
-  std::vector<Index> around_;  ///< `k_` for each point, nearest first
   std::vector<Vec3> normals_, centres_;
   std::vector<double> radius_, height_;
 };
@@ -145,11 +160,13 @@ class Scale {
 
 std::vector<std::vector<Index>> part_candidates(const SampleStages& stages, Observer& observer) {
   const Planes planes = planes_of(stages);
-  const NearestPoints tree(planes.points);
+  const std::size_t count = planes.points.size();
   std::vector<std::vector<Index>> parts;
+  if (!enough_for_part(count, stages.tangents.state.size())) return parts;
+  const Neighbourhoods around(planes.points, std::min(scales[1], count - 1), observer);
   for (const std::size_t k : scales) {
-    if (!enough_for_part(planes.points.size(), stages.tangents.state.size()) || planes.points.size() <= k) continue;
-    const Scale scale(planes, tree, k, observer);
+    if (count <= k) continue;
+    const Scale scale(planes, around, k);
     for (const double bound : flatness) {
       std::vector<Index> part = scale.largest_part(bound);
       if (enough_for_part(part.size(), stages.tangents.state.size()) && std::ranges::find(parts, part) == parts.end())

@@ -31,19 +31,16 @@ class PartsOfScans : public ::testing::Test {
     const std::string scan = (scans / name).string();
     const Outcome refused = run("distances", scan, {"--sources", "0", "-o", file("d.npy"), "-q"});
     EXPECT_EQ(refused.status, 4) << refused.err;
-    EXPECT_NE(refused.err.find("; --part largest gives the part that makes a surface by itself, "), std::string::npos);
-    const Outcome checked = run("check", scan, {"--part", "largest", "--json"});
-    ASSERT_EQ(checked.status, 0) << checked.err;
-    const json report = json::parse(checked.out);
+    ASSERT_NE(refused.err.find("; --part largest gives the part that makes a surface by itself, "), std::string::npos);
+    const std::string row = std::to_string(std::stoul(refused.err.substr(refused.err.find("around row ") + 11)));
+    const Outcome given = run("distances", scan,
+                              {"--part", "largest", "--sources", row, "-o", file("d.npy"), "--report", file("r.json")});
+    ASSERT_EQ(given.status, 0) << given.err;
+    const json report = json::parse(read_bytes(folder_ / "r.json"));
     EXPECT_GE(report["part"]["share"], share);
     EXPECT_NE(report["practice"]["verdict"], "doubtful");
     EXPECT_EQ(report["surface"]["components"], 1);
-    expect_distances(scan, std::to_string(report["part"]["row"].get<std::size_t>()), report["part"]["points"]);
-  }
-  void expect_distances(const std::string& scan, const std::string& row, std::size_t points) {
-    const Outcome given = run("distances", scan,
-                              {"--part", "largest", "--sources", row, "-o", file("d.npy"), "--nearest", file("n.csv")});
-    ASSERT_EQ(given.status, 0) << given.err;
+    const std::size_t points = report["part"]["points"];
     EXPECT_NE(given.out.find("\npart       " + std::to_string(points) + " of "), std::string::npos) << given.out;
     const Matrix matrix = read_npy(folder_ / "d.npy");
     EXPECT_EQ(std::ranges::count_if(matrix.values, [](double d) { return std::isfinite(d); }),

@@ -25,7 +25,7 @@ constexpr RemedySentence sentences[] = {
     {"read.vertices", "use --as points to take its vertices"},
     {"read.finite_points", "repair the mesh, or use --as points --drop-nonfinite"},
     {"read.weights", "--weights property:{0} measures with it"},
-    {"part.take", "--part largest gives the part that makes a surface by itself, {0}{1}"},
+    {"part.take", "--part largest gives the part that makes a surface by itself, {0}"},
     {"part.whole", "leave --part out"},
     {"part.whole_or_points", "leave --part out, or take the vertices as points with --as points"},
     {"query.project", "leave --query out"},
