@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/input/findings.hpp"
 #include "engine/input/float32_steps.hpp"
 #include "engine/input/merge.hpp"
@@ -54,7 +54,7 @@ double checked_diagonal(const Origin& origin, const Input& input) {
 }
 
 std::string short_text(double value) {
-  std::ostringstream text;
+  TextOutput text;
   text.precision(3);
   text << value;
   return text.str();

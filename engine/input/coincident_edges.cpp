@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/remedies.hpp"
+#include "engine/formats/text_stream.hpp"
 #include "engine/input/findings.hpp"
 #include "engine/input/float32_steps.hpp"
 #include "engine/input/merge.hpp"
@@ -192,7 +192,7 @@ Remedy remedy_for(double gap, const Input& input) {
 }
 
 std::string rest_of_message(const Coincidence& found, const Input& input) {
-  std::ostringstream text;
+  TextOutput text;
   text.precision(3);
   if (found.gap > 0)
     text << "at most " << found.gap << " apart";

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
+#include "engine/formats/text_stream.hpp"
 #include "engine/input/findings.hpp"
 #include "engine/input/point_tree.hpp"
 
@@ -84,7 +84,7 @@ void tell_float32_steps(Input& input) {
   if (!is_doubtful(step, input)) return;
   const double spacing = input.kind == InputKind::mesh ? median_edge(input) : median_gap(input.positions);
   if (!(spacing > 0 && step > small_share * spacing)) return;  // a single point has no spacing
-  std::ostringstream text;
+  TextOutput text;
   text.precision(3);
   text << "The coordinates come in steps of " << step << ", as 32-bit floats have them so far from the origin; that is "
        << 100 * step / spacing << " % of the "

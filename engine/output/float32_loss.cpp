@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "engine/formats/text.hpp"
+#include "engine/formats/text_stream.hpp"
 
 namespace geodrome {
 
@@ -62,7 +62,7 @@ double median_edge(const SurfaceMesh& mesh) {
 }
 
 std::string move_text(double moved, double edge) {
-  std::ostringstream text;
+  TextOutput text;
   text.precision(3);
   text << "by up to " << moved << ", " << 100 * moved / edge << " % of the median edge";
   return text.str();

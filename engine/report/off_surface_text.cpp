@@ -2,9 +2,9 @@
 #include "engine/report/off_surface_text.hpp"
 
 #include <cmath>
-#include <sstream>
 
 #include "engine/formats/text.hpp"
+#include "engine/formats/text_stream.hpp"
 
 namespace geodrome {
 
@@ -13,7 +13,7 @@ namespace {
 /// "far.txt: line 1 by 0.5 (35.36 % of its diagonal)".
 std::string farthest_text(const OffSurface& off) {
   const OffPlace& farthest = off.farthest.front();
-  std::ostringstream text;
+  TextOutput text;
   text.precision(4);
   text << farthest.entry << " by " << farthest.distance;
   const double share = farthest.distance / off.diagonal;
