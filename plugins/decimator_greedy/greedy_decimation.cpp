@@ -11,6 +11,7 @@
 #include "plugins/common/parallel_for.hpp"
 #include "plugins/common/points/live_points.hpp"
 #include "plugins/common/points/neighbours.hpp"
+#include "plugins/decimator_greedy/open_sample.hpp"
 
 namespace geodrome {
 namespace {
@@ -27,24 +28,45 @@ std::vector<Index> shuffled(std::size_t count, std::uint64_t seed) {
   return order;
 }
 
-/// Algorithm 1 on packed points; ascending indices into them.
-std::vector<Index> decimate(const LivePoints& live, const std::vector<double>& psi, RunContext& context) {
+/// What is kept, as ascending indices into packed points.
+struct Kept {
+  std::vector<Index> all;
+  std::vector<Index> thinned;  ///< those that Lemma 6 speaks of
+};
+
+/// Algorithm 1 on packed points. The rim of an open sample comes first, and no point of it removes another; bent points
+/// remove none.
+Kept decimate(const LivePoints& live, const std::vector<double>& psi, const OpenSample& open, RunContext& context) {
   const Neighbours dense(live.points);
   std::vector<bool> removed(live.size(), false);
-  std::vector<Index> kept;
+  Kept kept;
   std::vector<Neighbour> ball;
-  std::size_t done = 0;
-  for (const Index s : shuffled(live.size(), context.seed())) {
-    if (done++ % 1024 == 0) {
-      context.throw_if_cancelled();
-      context.progress(0.8 * static_cast<double>(done) / static_cast<double>(live.size()));
-    }
-    if (removed[s]) continue;
-    kept.push_back(s);
+  const auto remove_around = [&](Index s) {
     dense.within(live.points[s], psi[live.sample_index[s]], ball);
     for (const Neighbour& n : ball) removed[n.index] = true;
+  };
+  const std::vector<Index> order = shuffled(live.size(), context.seed());
+  for (const Index s : order) {
+    if (!open.on_rim(s) || removed[s]) continue;
+    kept.all.push_back(s);
+    dense.within(live.points[s], open.rim_step[s], ball);
+    for (const Neighbour& n : ball) removed[n.index] = removed[n.index] || open.on_rim(n.index);
   }
-  std::sort(kept.begin(), kept.end());
+  for (const Index s : std::vector(kept.all)) remove_around(s);
+  std::size_t done = 0;
+  for (const Index s : order) {
+    if (done++ % 1024 == 0) {
+      context.throw_if_cancelled();
+      context.progress(0.3 + 0.5 * static_cast<double>(done) / static_cast<double>(live.size()));
+    }
+    if (removed[s] || open.on_rim(s)) continue;
+    kept.all.push_back(s);
+    if (open.is_bent(s)) continue;
+    kept.thinned.push_back(s);
+    remove_around(s);
+  }
+  std::sort(kept.all.begin(), kept.all.end());
+  std::sort(kept.thinned.begin(), kept.thinned.end());
   return kept;
 }
 
@@ -74,11 +96,14 @@ double check_lemma_6(const PointSample& sample, const std::vector<Index>& kept, 
 std::vector<Index> GreedyDecimation::select(const PointSample& sample, const Control& control,
                                             RunContext& context) const {
   const LivePoints live = live_points(sample, control.state);
-  std::vector<Index> kept = decimate(live, control.psi, context);
-  for (Index& s : kept) s = live.sample_index[s];
-  if (kept.size() > 1) context.measure("lemma_6_worst_ratio", check_lemma_6(sample, kept, control.psi, context));
+  const OpenSample open = open_sample(sample, control, live, context);
+  Kept kept = decimate(live, control.psi, open, context);
+  for (std::vector<Index>* list : {&kept.all, &kept.thinned})
+    for (Index& s : *list) s = live.sample_index[s];
+  if (kept.thinned.size() > 1)
+    context.measure("lemma_6_worst_ratio", check_lemma_6(sample, kept.thinned, control.psi, context));
   context.progress(1);
-  return kept;
+  return std::move(kept.all);
 }
 
 }  // namespace geodrome

@@ -11,6 +11,7 @@
 #include "plugins/common/points/cell_radius.hpp"
 #include "plugins/common/surfaces/face_deletion.hpp"
 #include "plugins/common_gpl/planar_triangles.hpp"
+#include "plugins/reconstructor_delaunay_cut/open_sheets.hpp"
 #include "plugins/reconstructor_delaunay_cut/orient_normals.hpp"
 #include "plugins/reconstructor_delaunay_cut/piece_surface.hpp"
 
@@ -55,7 +56,8 @@ std::vector<Index> translated(const std::vector<Index>& indices, const std::vect
   return result;
 }
 
-void append(std::vector<Index>& all, const std::vector<Index>& more) {
+template <class Element>
+void append(std::vector<Element>& all, const std::vector<Element>& more) {
   all.insert(all.end(), more.begin(), more.end());
 }
 
@@ -95,11 +97,13 @@ class Reconstructing {
         context_(context),
         kept_(kept_points(sample, tangents, control, kept)) {
     for (const Index i : kept) phi_.push_back(control.phi[i]);
+    if (boundary != BoundaryRule::closed) sheets_.emplace(sample, control, kept_, context);
   }
 
   Reconstruction run() {
     const FaceRule rule{kept_.points, kept_.psi, true};
-    if (const auto plane = common_plane(kept_.points)) {
+    const auto plane = common_plane(kept_.points);
+    if (plane && !(sheets_ && sheets_->any())) {
       std::vector<Triangle> faces = planar_surface(*plane, rule, result_.findings);
       close_up(std::move(faces));
       return std::move(result_);
@@ -133,7 +137,7 @@ class Reconstructing {
   }
 
   void cut_one(const std::vector<Index>& members, const std::vector<Vec3>& normals, const PlanarStars& stars) {
-    if (members.size() < least_points) return;
+    if (members.size() < least_points || lay_sheet(members, stars)) return;
     const OrientedPiece piece = piece_of(members, kept_, normals);
     if (on_a_line(piece.points)) return;
     if (const auto plane = common_plane(piece.points)) {
@@ -141,7 +145,22 @@ class Reconstructing {
       gather_faces(planar_surface(*plane, rule, result_.findings), piece.kept, all_);
       return;
     }
+    const std::size_t before = all_.faces.size();
     gather(cut_piece(piece, stars, context_), piece, boundary_, phi_, all_);
+    if (sheets_ && !sheets_->left_open(members, std::span(all_.faces).subspan(before)))
+      refuse("it shows a boundary, but neither a sheet that ends there nor a closed surface comes out");
+  }
+
+  /// Where the sample shows a boundary there need not be an inside: a sheet is laid then, if one comes out whole.
+  bool lay_sheet(const std::vector<Index>& members, const PlanarStars& stars) {
+    if (!sheets_ || !sheets_->shown_by(members)) return false;
+    SheetSurface sheet = sheets_->make(stars, members, boundary_ == BoundaryRule::automatic);
+    if (!is_whole(sheet, members.size())) return false;
+    orient_sheet(sheet, kept_, result_);
+    append(all_.faces, sheet.faces);
+    append(all_.closed_gaps, sheet.thin);
+    all_.gaps += sheet.thin_places;
+    return true;
   }
 
   void judge_stars(const StarAgreement& stars, const PlanarStars& cells) {
@@ -211,19 +230,28 @@ class Reconstructing {
     return sample;
   }
 
-  /// Disagreement falls as 1 / n: that says which density would do.
-  [[noreturn]] void refuse(std::string what) {
+  /// Sheets nearer to each other than the sample is dense look like noise as well.
+  [[noreturn]] void refuse(const std::string& what) {
     const double psi = *std::max_element(kept_.psi.begin(), kept_.psi.end());
     if (tangents_.sigma > 0 && 5 * tangents_.sigma >= psi)
-      throw SampleError("the sample is too noisy: " + what + ", with noise of " + std::to_string(tangents_.sigma),
-                        "measure more precisely, or smooth the points", std::move(result_.findings));
-    const double more = std::max(2.0, inconsistent_ / warn_stars);
-    const auto wanted = static_cast<std::size_t>(std::ceil(more * static_cast<double>(sample_.size()) / 1000) * 1000);
-    throw SampleError("the sample is too sparse for its shape: " + what,
-                      "about " + std::to_string(wanted) + " points as evenly spread would do (now " +
-                          std::to_string(sample_.size()) + "), most of them at the places named; or keep all points " +
-                          "(decimator none)",
-                      std::move(result_.findings));
+      throw SampleError("the sample is too noisy, or too sparse for sheets that lie near each other: " + what +
+                            ", with noise of " + std::to_string(tangents_.sigma),
+                        "measure more precisely, smooth the points, or sample more densely",
+                        std::move(result_.findings));
+    throw SampleError("the sample is too sparse for its shape: " + what, what_would_do(), std::move(result_.findings));
+  }
+
+  /// Disagreement falls as 1 / n, which tells the density that would do; where stars agree, nothing does.
+  std::string what_would_do() const {
+    std::string advice = "sample more densely at the places named";
+    if (inconsistent_ > note_stars) {
+      const double more = std::max(2.0, inconsistent_ / warn_stars);
+      const auto wanted = static_cast<std::size_t>(std::ceil(more * static_cast<double>(sample_.size()) / 1000) * 1000);
+      advice = "about " + std::to_string(wanted) + " points as evenly spread would do (now " +
+               std::to_string(sample_.size()) + "), most of them at the places named";
+    }
+    const bool thinned = kept_.points.size() < sample_.size();
+    return thinned ? advice + "; or keep all points (decimator none)" : advice;
   }
 
   void close_up(std::vector<Triangle> faces) { finish(result_, std::move(faces), kept_, sample_, boundary_); }
@@ -235,6 +263,7 @@ class Reconstructing {
   RunContext& context_;
   const KeptPoints kept_;
   std::vector<double> phi_;
+  std::optional<OpenSheets> sheets_;
   double inconsistent_ = 0;
   Gathered all_;
   Reconstruction result_;

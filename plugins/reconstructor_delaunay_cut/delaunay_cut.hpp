@@ -13,6 +13,9 @@ namespace geodrome {
 /// stars agree), so that the surface is closed by construction; then repaired to a 2-manifold, and opened where the
 /// sample shows a hole. Pieces of the sample that no planar cell connects become components.
 ///
+/// Pieces of which the sample shows a rim, a slit or a hole have no inside: they become sheets, laid from the stars
+/// alone (`sheet_surface`), unless boundary=closed.
+///
 /// A surface that fails a check is refused, never returned: the measures `inconsistent_stars`, `star_ties`, `flips`,
 /// `lids`, `rounds` and `epsilon` say how good the sample was.
 class DelaunayCut final : public SurfaceReconstructor {
@@ -33,8 +36,9 @@ class DelaunayCut final : public SurfaceReconstructor {
 
   /// Throws SampleError, with the density that would do where it can be said, if there are fewer than three points or
   /// all on a line; over 20 % of the star triangles are inconsistent (unless stars=allow); the border is no 2-manifold
-  /// after repairs of up to 2 % of the points; over 5 % of the points are left out; or a hole is found under
-  /// boundary=closed. O(n log n) typically.
+  /// after repairs of up to 2 % of the points; over 5 % of the points are left out; a sheet is one-sided, or neither a
+  /// sheet nor a cut that leaves its rim open comes out whole; or a hole is found under boundary=closed. O(n log n)
+  /// typically.
   Reconstruction reconstruct(const PointSample& sample, const Tangents& tangents, const Control& control,
                              std::span<const Index> kept, RunContext& context) const override;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -45,6 +46,17 @@ inline double genus5_value(const Vec3& p) {
   return sum;
 }
 
+/// The spiral r = t, by the nearest of its turns; positive towards its centre.
+inline double spiral_value(const Vec3& p) {
+  const double r = std::hypot(p.x, p.z), angle = std::atan2(p.z, p.x);
+  double best = std::numeric_limits<double>::infinity();
+  for (int turn = 0; turn < 4; ++turn) {
+    const double gap = r - (angle + 2 * std::numbers::pi * turn);
+    if (std::abs(gap) < std::abs(best)) best = gap;
+  }
+  return -best;
+}
+
 /// A function of known sign (negative inside) that is 0 on the shape; the plane and the cut shapes as if not cut.
 inline double shape_value(const std::string& kind, const Vec3& p) {
   if (kind == "sphere" || kind == "cut-sphere") return norm(p) - 1;
@@ -53,6 +65,9 @@ inline double shape_value(const std::string& kind, const Vec3& p) {
   if (kind == "trefoil") return distance_to_trefoil(p) - 0.1;
   if (kind == "genus2") return genus2_value(p);
   if (kind == "genus5") return genus5_value(p);
+  if (kind == "swiss-roll") return spiral_value(p);
+  if (kind == "s-curve") return p.z <= 0 ? std::hypot(p.x, p.z + 1) - 1 : 1 - std::hypot(p.x, p.z - 1);
+  if (kind == "slit-pipe") return std::hypot(p.x, p.y) - 1;
   return p.z;
 }
 
@@ -70,12 +85,19 @@ inline double distance_off_shape(const std::string& kind, const Vec3& p) {
   return std::abs(shape_value(kind, p)) / norm(shape_gradient(kind, p));
 }
 
-/// The shape ends where its plane cuts.
+/// Whether the shape has not ended before the point.
 inline bool within_borders(const std::string& kind, const Vec3& p) {
   constexpr double rounding = 1e-12;
   if (kind == "cut-sphere") return p.z <= 0.5 + rounding;
   if (kind == "cut-torus") return p.z <= 0.2 + rounding;
   if (kind == "plane") return p.x >= 0 && p.x <= 1 && p.y >= 0 && p.y <= 1;
+  const double r = std::hypot(p.x, p.z);
+  if (kind == "swiss-roll")
+    return p.y >= 0 && p.y <= 21 && r >= 1.5 * std::numbers::pi - rounding && r <= 4.5 * std::numbers::pi + rounding;
+  if (kind == "s-curve")  // a quarter of either circle is missing
+    return p.y >= 0 && p.y <= 2 &&
+           (p.z <= 0 ? p.x >= -rounding || p.z <= -1 + rounding : p.x <= rounding || p.z >= 1 - rounding);
+  if (kind == "slit-pipe") return p.z >= 0 && p.z <= 4 && std::abs(std::atan2(p.y, p.x)) >= 0.375 - rounding;
   return true;
 }
 

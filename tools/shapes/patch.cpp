@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/shapes/sheets.hpp"
+
 namespace geodrome::shapes {
 namespace {
 
@@ -75,6 +77,10 @@ constexpr Patch patches[] = {
     // sin(angle) <= 1/2, so that z = 0.4 sin(angle) <= 1/5.
     {"cut-torus", [](double u, double v) { return on_torus(5 * pi / 6, 13 * pi / 6, u, v); }, true, End::border,
      End::border, 2 * pi*(4 * pi / 3) * tube*(ring + tube), 3.75},
+    // sqrt(1 + t^2) is largest where the roll ends, at t = 4.5 pi.
+    {"swiss-roll", on_swiss_roll, false, End::border, End::border, 3 * pi * 21 * 14.18, 4.26},
+    {"s-curve", on_s_curve, false, End::border, End::border, 6 * pi, 4.71},
+    {"slit-pipe", on_slit_pipe, false, End::border, End::border, (2 * pi - 0.75) * 4, 1.38},
 };
 
 }  // namespace

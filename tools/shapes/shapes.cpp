@@ -70,26 +70,34 @@ std::vector<OrientedPoint> draw_blue(const std::string& kind, std::size_t count,
 }
 
 /// A lattice in (u, v): rows at poles stay half a step away, rows at borders lie on them.
-std::vector<OrientedPoint> patch_lattice(const Patch& patch, std::size_t count) {
+std::vector<OrientedPoint> patch_lattice(const Patch& patch, std::size_t count, double jitter, Random& random) {
   const auto at_least = [](double x, double least) { return std::max(std::round(x), least); };
   const double columns = at_least(std::sqrt(static_cast<double>(count) * patch.aspect), 2);
   const double rows = at_least(static_cast<double>(count) / columns, 2);
   const double low = patch.v_low == End::pole ? 0.5 : 0, high = patch.v_high == End::border ? 0
                                                                 : patch.v_high == End::pole ? 0.5
                                                                                             : 1;
+  const double across = patch.u_wraps ? columns : columns - 1, up = rows - 1 + low + high;
+  const auto moved = [&](double place, double step, bool ends) {
+    const double to = place + (jitter > 0 ? random.uniform(-jitter, jitter) / step : 0);
+    return ends ? std::clamp(to, 0.0, 1.0) : to;
+  };
   std::vector<OrientedPoint> points;
   for (double row = 0; row < rows; ++row)
-    for (double column = 0; column < columns; ++column)
-      points.push_back(
-          oriented(patch.at(column / (patch.u_wraps ? columns : columns - 1), (row + low) / (rows - 1 + low + high))));
+    for (double column = 0; column < columns; ++column) {
+      const double u = moved(column / across, across, !patch.u_wraps);
+      const double v = moved((row + low) / up, up, patch.v_low != End::wrap);
+      points.push_back(oriented(patch.at(u, v)));
+    }
   return points;
 }
 
 /// On an implicit surface: the vertices of its surface net, one near each cell of a regular grid.
-std::vector<OrientedPoint> lattice(const std::string& kind, std::size_t count) {
-  if (const Patch* patch = find_patch(kind)) return patch_lattice(*patch, count);
+std::vector<OrientedPoint> lattice(const std::string& kind, const SampleSpec& spec, Random& random) {
+  if (const Patch* patch = find_patch(kind)) return patch_lattice(*patch, spec.points, spec.jitter, random);
+  if (spec.jitter > 0) throw OptionError("the lattice of '" + kind + "' cannot be jittered");
   const Implicit& surface = *find_implicit(kind);
-  const SurfaceMesh net = surface_net(surface, 2 * count);
+  const SurfaceMesh net = surface_net(surface, 2 * spec.points);
   std::vector<OrientedPoint> points;
   for (const Vec3& p : net.positions()) points.push_back(oriented(surface, p));
   return points;
@@ -109,14 +117,16 @@ void check(const std::string& kind, const SampleSpec& spec) {
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) fail_unknown(kind, kinds);
   if (spec.points < 4)
     throw OptionError("a sample of " + std::to_string(spec.points) + " points", "ask for at least 4");
+  if (!(spec.jitter >= 0 && spec.jitter < 0.5)) throw OptionError("jitter is not a number from 0 to below 1/2");
   if (!(spec.noise >= 0) || !std::isfinite(spec.noise)) throw OptionError("noise is not a finite number >= 0");
 }
 
 }  // namespace
 
 const std::vector<std::string>& sample_kinds() {
-  static const std::vector<std::string> kinds{"sphere",  "ellipsoid", "torus",      "genus2",   "genus5",
-                                              "trefoil", "plane",     "cut-sphere", "cut-torus"};
+  static const std::vector<std::string> kinds{"sphere",    "ellipsoid",  "torus",   "genus2",
+                                              "genus5",    "trefoil",    "plane",   "cut-sphere",
+                                              "cut-torus", "swiss-roll", "s-curve", "slit-pipe"};
   return kinds;
 }
 
@@ -134,7 +144,7 @@ PointSample sample(const std::string& kind, const SampleSpec& spec) {
   Random random(spec.seed);
   const std::vector<OrientedPoint> points = spec.sampling == Sampling::uniform ? draw_uniform(kind, spec.points, random)
                                             : spec.sampling == Sampling::blue  ? draw_blue(kind, spec.points, random)
-                                                                               : lattice(kind, spec.points);
+                                                                               : lattice(kind, spec, random);
   const double deviation = spec.noise * bounding_box_diagonal(points);
   PointSample sample;
   for (const auto& [position, normal] : points)

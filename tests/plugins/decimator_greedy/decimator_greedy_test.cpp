@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <string>
+#include <tuple>
 
 #include "plugins/control_lipschitz/lipschitz_control.hpp"
 #include "plugins/tangent_pca/pca_tangents.hpp"
@@ -50,8 +52,13 @@ std::vector<PointSample> samples() {
           test::moved(test::torus(2000, 6), 1e6, {1e6, 1e6, 1e6})};
 }
 
-TEST(DecimatorGreedy, Lemma6HoldsAndIsMeasured) {
-  for (const PointSample& sample : samples()) {
+std::vector<PointSample> closed_samples() {
+  return {test::torus(3000, 1), test::torus(3000, 2, 10), test::ellipsoid(3000, 3),
+          test::moved(test::torus(2000, 5), 1e-6, {}), test::moved(test::torus(2000, 6), 1e6, {1e6, 1e6, 1e6})};
+}
+
+TEST(DecimatorGreedy, Lemma6HoldsOnClosedSamplesAndIsMeasured) {
+  for (const PointSample& sample : closed_samples()) {
     const Control control = control_of(sample);
     Context context;
     const std::vector<Index> kept = GreedyDecimation().select(sample, control, context);
@@ -61,6 +68,57 @@ TEST(DecimatorGreedy, Lemma6HoldsAndIsMeasured) {
         if (a != b) worst = std::min(worst, distance(sample.points[a], sample.points[b]) / control.psi[a]);
     EXPECT_GT(worst, 17.0 / 18);
     EXPECT_EQ(context.measured.at("lemma_6_worst_ratio"), worst);
+  }
+}
+
+/// The smallest distance of a kept point from another, over psi, where both are no nearer to the border than `inner`.
+double worst_ratio_inside(const PointSample& plane, const Control& control, const std::vector<Index>& kept,
+                          double inner) {
+  const auto inside = [&](const Vec3& p) { return std::min({p.x, 1 - p.x, p.y, 1 - p.y}) > inner; };
+  double worst = std::numeric_limits<double>::infinity();
+  for (const Index a : kept)
+    for (const Index b : kept) {
+      const Vec3 &p = plane.points[a], &q = plane.points[b];
+      if (a != b && inside(p) && inside(q)) worst = std::min(worst, distance(p, q) / control.psi[a]);
+    }
+  return worst;
+}
+
+TEST(DecimatorGreedy, KeepsTheRimOfAnOpenSampleAndThinsTheRest) {
+  const PointSample sample = test::plane(4000, 4);
+  const Control control = control_of(sample);
+  Context context;
+  const std::vector<Index> kept = GreedyDecimation().select(sample, control, context);
+  EXPECT_LT(kept.size(), 1300U);
+  EXPECT_GT(worst_ratio_inside(sample, control, kept, 0.08), 17.0 / 18) << "Lemma 6 holds away from the rim";
+  EXPECT_GT(context.measured.at("lemma_6_worst_ratio"), 17.0 / 18);
+  double low = 1, high = 0;  // the corners' own neighbourhoods
+  for (const Index s : kept) {
+    low = std::min(low, sample.points[s].x + sample.points[s].y);
+    high = std::max(high, sample.points[s].x + sample.points[s].y);
+  }
+  const auto sum = [](const Vec3& p) { return p.x + p.y; };
+  EXPECT_NEAR(low, sum(*std::ranges::min_element(sample.points, {}, sum)), 0.01);
+  EXPECT_NEAR(high, sum(*std::ranges::max_element(sample.points, {}, sum)), 0.01);
+}
+
+TEST(DecimatorGreedy, KeepsMostOfASheetThatBendsTooMuchForPsi) {
+  // A gutter of radius 0.5: psi is about 0.2 with 500 points, 0.05 with 8000.
+  const auto gutter = [](std::size_t n) {
+    test::Random random(n);
+    PointSample sample;
+    while (sample.size() < n) {
+      const double angle = random.uniform(0, std::numbers::pi), along = random.uniform(0, 3);
+      sample.points.push_back({0.5 * std::cos(angle), 0.5 * std::sin(angle), along});
+    }
+    return sample;
+  };
+  for (const auto& [points, least, most] : {std::tuple(500U, 300U, 500U), std::tuple(8000U, 1000U, 3000U)}) {
+    const PointSample sample = gutter(points);
+    Context context;
+    const std::size_t kept = GreedyDecimation().select(sample, control_of(sample), context).size();
+    EXPECT_GE(kept, least) << points;
+    EXPECT_LE(kept, most) << points;
   }
 }
 

@@ -5,14 +5,14 @@
 #include <numeric>
 #include <vector>
 
+#include "engine/report/memory.hpp"
 #include "tools/bench/samples/distance_errors.hpp"
 #include "tools/bench/samples/disturb.hpp"
-#include "tools/bench/solvers/fit.hpp"
 #include "tools/bench/samples/hausdorff.hpp"
-#include "engine/report/memory.hpp"
 #include "tools/bench/samples/sample_case.hpp"
 #include "tools/bench/samples/topology_table.hpp"
 #include "tools/bench/shapes/torus_runs.hpp"
+#include "tools/bench/solvers/fit.hpp"
 #include "tools/shapes/random.hpp"
 
 namespace geodrome::bench {
@@ -140,6 +140,25 @@ TEST(MemoryPeak, GrowsByWhatIsTouchedAndCanBeReset) {
   EXPECT_GT(memory_peak(), before + block * 9 / 10);
   reset_memory_peak();
   EXPECT_LT(memory_peak(), before + block / 2);
+}
+
+TEST(TopologyTable, SheetsAreAFamilyOfTheirOwnAndComeInLooseLattices) {
+  TableChoice choice;
+  choice.shapes = {"torus", "cut-torus", "s-curve"}, choice.points = {800}, choice.seeds = {1, 2};
+  EXPECT_EQ(cases_of("sheets", choice).size(), 2u + 2 + 1 + 2 + 2);
+  for (const SampleCase& c : cases_of("sheets", choice)) EXPECT_EQ(c.shape, "s-curve");
+  for (const char* family : {"clean", "boundary"})
+    for (const SampleCase& c : cases_of(family, choice)) EXPECT_NE(c.shape, "s-curve") << family;
+}
+
+TEST(SheetErrors, AreWrongOnlyIfPartsAreJoinedOrVerticesTooNear) {
+  SheetErrors errors;
+  errors.short_vertices = 0.019;
+  EXPECT_EQ(how_wrong(errors), "");
+  errors.short_vertices = 0.05;
+  EXPECT_EQ(how_wrong(errors), "vertices are 5 % too near to each other");
+  errors.shortcuts = 3;
+  EXPECT_EQ(how_wrong(errors), "3 edges join two parts of the sheet");
 }
 
 TEST(TopologyTable, ExactLatticesComeOnceAndCutShapesOnlyWithABoundary) {

@@ -14,7 +14,10 @@ constexpr const char* samples_meaning =
     "sample was\n"
     "declined (SampleError). Wrong: another surface was returned. Failed: any other error. Noise is along the normal; "
     "outliers\n"
-    "are uniform in the bounding box enlarged by 10 %. With FILEs: their vertices as points, nothing else is run.";
+    "are uniform in the bounding box enlarged by 10 %. A sheet is wrong as well if an edge joins two parts of it, or "
+    "if\n"
+    "vertices are over 2 % too near to each other; errors are those of pairs at least a quarter of its size apart. "
+    "With FILEs: their vertices as points, nothing else is run.";
 
 struct SamplesArguments {
   std::vector<std::filesystem::path> files;
@@ -37,8 +40,8 @@ void add_samples(CLI::App& app, Action& action) {
   const auto [command, arguments] = add_command<SamplesArguments>(
       app, action, "samples", "Surfaces from samples: how many come out right.", samples_meaning, run);
   command.add_option("FILE", arguments.files, "meshes or clouds whose vertices are taken as points");
-  add_list(command, "--families", arguments.choice.families, "of clean, boundary, noise, outliers");
-  add_list(command, "--shapes", arguments.choice.shapes, "closed and cut shapes");
+  add_list(command, "--families", arguments.choice.families, "of clean, boundary, sheets, noise, outliers");
+  add_list(command, "--shapes", arguments.choice.shapes, "closed and cut shapes, sheets");
   add_list(command, "--samplings", arguments.choice.samplings, "noise and outliers come with the first");
   add_list(command, "--points", arguments.choice.points, "numbers of points");
   add_list(command, "--seeds", arguments.choice.seeds, "of the samples and of the stages");

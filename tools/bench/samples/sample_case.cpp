@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/bench/samples/sample_case.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <numeric>
@@ -8,6 +9,7 @@
 #include "geodrome/engine/observer.hpp"
 #include "tools/bench/samples/disturb.hpp"
 #include "tools/shapes/shapes.hpp"
+#include "tools/shapes/sheets.hpp"
 
 namespace geodrome::bench {
 namespace {
@@ -21,8 +23,8 @@ constexpr std::uint64_t disturbing = 0x6f75746c;
 shapes::Sampling sampling_of(const std::string& word) {
   if (word == "uniform") return shapes::Sampling::uniform;
   if (word == "blue") return shapes::Sampling::blue;
-  if (word == "grid" || word == "jittered") return shapes::Sampling::grid;
-  throw OptionError("unknown sampling '" + word + "'", "valid: uniform, blue, grid, jittered");
+  if (word == "grid" || word == "jittered" || word == "loose") return shapes::Sampling::grid;
+  throw OptionError("unknown sampling '" + word + "'", "valid: uniform, blue, grid, jittered, loose");
 }
 
 std::string how_wrong(const SurfaceFacts& facts, const Topology& expected) {
@@ -38,9 +40,10 @@ std::string with_option(const std::string& selection, const std::string& option)
 }  // namespace
 
 Topology expected_topology(const std::string& shape) {
-  static const std::map<std::string, Topology> known{{"sphere", {0, 0}},     {"ellipsoid", {0, 0}}, {"torus", {1, 0}},
-                                                     {"genus2", {2, 0}},     {"genus5", {5, 0}},    {"trefoil", {1, 0}},
-                                                     {"cut-sphere", {0, 1}}, {"cut-torus", {0, 2}}};
+  static const std::map<std::string, Topology> known{
+      {"sphere", {0, 0}}, {"ellipsoid", {0, 0}},  {"torus", {1, 0}},      {"genus2", {2, 0}},
+      {"genus5", {5, 0}}, {"trefoil", {1, 0}},    {"cut-sphere", {0, 1}}, {"cut-torus", {0, 2}},
+      {"plane", {0, 1}},  {"swiss-roll", {0, 1}}, {"s-curve", {0, 1}},    {"slit-pipe", {0, 1}}};
   const auto found = known.find(shape);
   if (found != known.end()) return found->second;
   std::string valid;
@@ -49,8 +52,9 @@ Topology expected_topology(const std::string& shape) {
 }
 
 PointSample make_sample(const SampleCase& wanted) {
-  PointSample sample =
-      shapes::sample(wanted.shape, {wanted.points, sampling_of(wanted.sampling), wanted.noise, wanted.seed});
+  const double jitter_of_steps = wanted.sampling == "loose" ? 0.3 : 0;
+  PointSample sample = shapes::sample(
+      wanted.shape, {wanted.points, sampling_of(wanted.sampling), wanted.noise, wanted.seed, jitter_of_steps});
   if (wanted.sampling == "jittered") sample = jittered(std::move(sample), jitter, wanted.seed ^ disturbing);
   if (wanted.outliers > 0) sample = with_outliers(std::move(sample), wanted.outliers, wanted.seed ^ disturbing);
   return sample;
@@ -92,7 +96,13 @@ SampleResult run_case(const SampleCase& wanted, const PluginHost& host, RunSetti
   if (!wanted.boundary.empty())
     settings.stages.reconstructor = with_option(settings.stages.reconstructor, "boundary=" + wanted.boundary);
   settings.seed = wanted.seed;
-  return run_sample(input_of(make_sample(wanted)), host, settings, expected_topology(wanted.shape));
+  const PointSample sample = make_sample(wanted);
+  SampleResult result = run_sample(input_of(sample), host, settings, expected_topology(wanted.shape));
+  if (!result.surface || std::ranges::count(shapes::sheet_kinds(), wanted.shape) == 0) return result;
+  result.sheet = sheet_errors(wanted.shape, sample, *result.surface, host, wanted.seed);
+  if (result.outcome == Outcome::right) result.reason = how_wrong(*result.sheet);
+  result.outcome = result.reason.empty() ? Outcome::right : Outcome::wrong;
+  return result;
 }
 
 std::string text_of(const SurfaceFacts& facts) {

@@ -9,12 +9,14 @@
 #include "engine/checks/surface_facts.hpp"
 #include "geodrome/engine/pipeline.hpp"
 #include "geodrome/engine/plugin_host.hpp"
+#include "tools/bench/samples/sheet_errors.hpp"
 
 namespace geodrome::bench {
 
 /// One sample of a known shape.
 struct SampleCase {
-  std::string shape, sampling;  ///< sampling: uniform, blue, grid (exact lattice) or jittered (lattice, moved by 1e-7)
+  std::string shape, sampling;  ///< sampling: uniform, blue, grid (exact lattice), jittered (lattice, moved by 1e-7)
+                                ///< or loose (lattice, moved by up to 0.3 of a step)
   std::size_t points = 0;
   std::uint64_t seed = 1;
   double noise = 0, outliers = 0;  ///< shares of the diagonal and of the number of points
@@ -44,6 +46,7 @@ struct SampleResult {
   std::string reason;
   std::optional<SurfaceFacts> facts;  ///< of the surface, if there is one
   std::optional<PlacedSurface> surface;
+  std::optional<SheetErrors> sheet;  ///< of a shape that can be unrolled, if there is a surface
 };
 
 /// Throws OptionError for an unknown shape or sampling.
@@ -56,7 +59,7 @@ Input input_of(PointSample sample);
 SampleResult run_sample(const Input& input, const PluginHost& host, const RunSettings& settings,
                         const std::optional<Topology>& expected);
 
-/// The result of a case: its sample through stages 1 to 4.
+/// The result of a case: its sample through stages 1 to 4, and of sheets the distances.
 SampleResult run_case(const SampleCase& wanted, const PluginHost& host, RunSettings settings);
 
 /// "genus 1, 1 component, 0 boundary loops".

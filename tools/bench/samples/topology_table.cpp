@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "tools/bench/samples/claim_extremes.hpp"
+#include "tools/shapes/sheets.hpp"
 
 namespace geodrome::bench {
 namespace {
@@ -15,12 +16,16 @@ constexpr std::array outcome_words{"right", "refused", "wrong", "failed"};
 
 struct Tally {
   std::array<std::size_t, outcome_words.size()> count{};
-  std::size_t runs = 0;
-  double seconds = 0;
+  std::size_t runs = 0, sheets = 0;
+  double seconds = 0, mean_error = 0, shortest = 0, longest = 0;  ///< errors: of far pairs in sheets
 
   void add(const SampleResult& result) {
     ++count[static_cast<std::size_t>(result.outcome)], ++runs;
     seconds += result.seconds;
+    if (!result.sheet) return;
+    const DistanceErrors::Group& far = result.sheet->distances.far;
+    mean_error += far.mean, ++sheets;
+    shortest = std::max(shortest, far.largest_under), longest = std::max(longest, far.largest_over);
   }
   void add(const Tally& other) {
     for (std::size_t i = 0; i < count.size(); ++i) count[i] += other.count[i];
@@ -51,7 +56,14 @@ void print_line(std::ostream& out, const SampleCase& c, const Tally& tally, cons
   std::snprintf(line, sizeof line, "%-11s %-9s %8zu  %-7s %3zu of %-3zu %8zu %8zu %8zu %9.3f\n", c.shape.c_str(),
                 c.sampling.c_str(), c.points, extra(c).c_str(), n[0], tally.runs, n[1], n[2], n[3],
                 tally.seconds / static_cast<double>(tally.runs));
-  out << line << reasons << std::flush;
+  out << line;
+  if (tally.sheets > 0) {
+    std::snprintf(line, sizeof line, "    far pairs: mean error %.3f %%, worst -%.2f %% and +%.2f %%\n",
+                  100 * tally.mean_error / static_cast<double>(tally.sheets), 100 * tally.shortest,
+                  100 * tally.longest);
+    out << line;
+  }
+  out << reasons << std::flush;
 }
 
 void print_total(std::ostream& out, const std::string& what, const Tally& tally) {
@@ -107,7 +119,7 @@ std::vector<SampleCase> variants(const std::string& family, const SampleCase& pl
       result.back().*member = value;
     }
   };
-  if (family == "clean") result.push_back(plain);
+  if (family == "clean" || family == "sheets") result.push_back(plain);
   if (family == "boundary") add(&SampleCase::boundary, std::array<std::string, 2>{"open", "auto"});
   if (family == "noise") add(&SampleCase::noise, choice.noise);
   if (family == "outliers") add(&SampleCase::outliers, choice.outliers);
@@ -117,15 +129,18 @@ std::vector<SampleCase> variants(const std::string& family, const SampleCase& pl
 }  // namespace
 
 std::vector<SampleCase> cases_of(const std::string& family, const TableChoice& choice) {
-  constexpr std::array known{"clean", "boundary", "noise", "outliers"};
+  constexpr std::array known{"clean", "boundary", "sheets", "noise", "outliers"};
   if (std::find(known.begin(), known.end(), family) == known.end())
-    throw OptionError("unknown family '" + family + "'", "valid: clean, boundary, noise, outliers");
+    throw OptionError("unknown family '" + family + "'", "valid: clean, boundary, sheets, noise, outliers");
   std::vector<std::string> samplings = choice.samplings;
   if (family == "noise" || family == "outliers") samplings.resize(std::min<std::size_t>(samplings.size(), 1));
   std::vector<SampleCase> cases;
   for (const std::string& shape : choice.shapes) {
-    if ((expected_topology(shape).loops > 0) != (family == "boundary")) continue;
-    for (const std::string& sampling : samplings)
+    const bool sheet = std::ranges::count(shapes::sheet_kinds(), shape) > 0;
+    if (sheet != (family == "sheets")) continue;
+    if (!sheet && (expected_topology(shape).loops > 0) != (family == "boundary")) continue;
+    for (const std::string& sampling : samplings) {
+      if (sampling == "loose" && !sheet) continue;
       for (const std::size_t points : choice.points)
         for (SampleCase c : variants(family, {shape, sampling, points}, choice))
           for (const std::uint64_t seed : choice.seeds) {
@@ -133,6 +148,7 @@ std::vector<SampleCase> cases_of(const std::string& family, const TableChoice& c
             const bool seedless = sampling == "grid" && c.noise == 0 && c.outliers == 0;
             if (!seedless || seed == choice.seeds.front()) cases.push_back(c);
           }
+    }
   }
   return cases;
 }

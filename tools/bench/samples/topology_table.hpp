@@ -9,13 +9,14 @@
 
 namespace geodrome::bench {
 
-/// Which samples are tried. The families: `clean`, `boundary` (the cut shapes, boundary=open and boundary=auto), and
-/// `noise`, `outliers` of the closed shapes, with the first of the samplings.
+/// Which samples are tried. The families: `clean`, `boundary` (the cut shapes, boundary=open and boundary=auto),
+/// `sheets` (shapes that can be unrolled, with the errors of distances), and `noise`, `outliers` of the closed shapes,
+/// with the first of the samplings. Only sheets come in loose lattices.
 struct TableChoice {
-  std::vector<std::string> families{"clean", "boundary", "noise", "outliers"};
-  std::vector<std::string> shapes{"sphere", "ellipsoid", "torus",      "genus2",
-                                  "genus5", "trefoil",   "cut-sphere", "cut-torus"};
-  std::vector<std::string> samplings{"uniform", "blue", "grid", "jittered"};
+  std::vector<std::string> families{"clean", "boundary", "sheets", "noise", "outliers"};
+  std::vector<std::string> shapes{"sphere",     "ellipsoid", "torus",      "genus2",  "genus5",   "trefoil",
+                                  "cut-sphere", "cut-torus", "swiss-roll", "s-curve", "slit-pipe"};
+  std::vector<std::string> samplings{"uniform", "blue", "grid", "jittered", "loose"};
   std::vector<std::size_t> points{5000, 20000};
   std::vector<std::uint64_t> seeds{1, 2, 3};
   std::vector<double> noise{0.001, 0.005, 0.01};  ///< shares of the diagonal
