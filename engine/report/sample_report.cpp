@@ -70,8 +70,17 @@ class Judge {
   Practice practice_;
 };
 
-Practice practice_of(const SampleReport& report, const Claim& on_surface, const std::vector<Finding>& findings) {
+/// The claims about faces. All held on every closed surface that came out right. A face that is larger than psi
+/// explains may close a hole or join two sheets; needles at a rim, where points are as they are, harm nothing.
+bool concerns_practice(const Claim& claim, bool closed) {
+  if (claim.code == "circumradius_to_psi" || claim.code == "edge_to_psi") return true;
+  return closed && (claim.code == "degree" || claim.code == "edge_ratio" || claim.code == "smallest_angle");
+}
+
+Practice practice_of(const SampleReport& report, const Claim& curvature, const Claim& on_surface,
+                     const std::vector<Finding>& findings) {
   Judge judge;
+  const bool closed = report.surface && report.surface->closed;
   const StageFigure& stars = report.figure("inconsistent_stars");
   const char* about = report.figure("epsilon").is_measured() ? "epsilon is about " : "epsilon is at least about ";
   judge.weigh(stars.value, good_stars, fair_stars, percent(stars.value) + " of the stars are inconsistent");
@@ -80,6 +89,11 @@ Practice practice_of(const SampleReport& report, const Claim& on_surface, const 
     judge.worsen(Practice::Verdict::doubtful, "noise is over 1 % of the diagonal");
   if (on_surface.fails())
     judge.worsen(Practice::Verdict::doubtful, "a point lies " + number(on_surface.measured) + " psi off the surface");
+  if (curvature.fails() && report.epsilon <= good_epsilon)  // else epsilon has told it
+    judge.worsen(Practice::Verdict::fair, curvature.name + " fails: " + number(curvature.measured));
+  for (const Claim& claim : report.guarantee.claims)
+    if (claim.fails() && concerns_practice(claim, closed))
+      judge.worsen(Practice::Verdict::fair, claim.name + " fails: " + number(claim.measured));
   for (const Finding& finding : findings)
     if (finding.severity == Finding::Severity::warning)
       judge.worsen(Practice::Verdict::fair, "the reconstructor warns of '" + finding.code + "'");
@@ -111,7 +125,7 @@ SampleReport make_sample_report(const Input& input, const PlacedSurface& surface
   if (refusal) report.guarantee.void_because.insert(report.guarantee.void_because.begin(), "the sample was refused");
 
   const std::vector<Finding>& findings = refusal ? refusal->findings() : surface.findings;
-  report.practice = practice_of(report, on_surface, findings);
+  report.practice = practice_of(report, curvature, on_surface, findings);
   claims.insert(claims.end(), {curvature, on_surface});
   report.worst = worst_places(input, surface, claims, findings);
   return report;

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
+#include <tuple>
 
 #include "tests/support/sample_surfaces.hpp"
 
@@ -110,6 +112,30 @@ TEST(SampleReport, JudgesPracticeByEpsilonApartFromTheGuarantee) {
     EXPECT_EQ(report.practice.verdict, verdict) << epsilon;
     EXPECT_FALSE(report.guarantee.void_because.empty());
   }
+}
+
+TEST(SampleReport, NeverCallsAPracticeGoodWhereFacesAreLargerThanPsiExplains) {
+  // The octahedron's edges are sqrt(2), its circumradii sqrt(2 / 3).
+  const std::tuple<double, Practice::Verdict, const char*> cases[] = {
+      {0.42, Practice::Verdict::good, ""},
+      {0.39, Practice::Verdict::fair, "circumradius over psi <= 2.056 fails: 2.09"},
+      {0.34, Practice::Verdict::fair, "edge length over psi <= 4.112 fails: 4.16"}};
+  for (const auto& [psi, verdict, why] : cases) {
+    SampledSurface made = sampled(test::octahedron(), psi);
+    made.surface.stages.back().measures = {{"inconsistent_stars", 0}, {"epsilon", 0.04}};
+    const Practice practice = report_of(made).practice;
+    EXPECT_EQ(practice.verdict, verdict) << psi;
+    EXPECT_EQ(std::ranges::count(practice.because, why), *why != 0 ? 1 : 0) << psi;
+  }
+}
+
+TEST(SampleReport, NeverCallsAPracticeGoodWhereTheSurfaceBendsMoreThanTheEpsilonOfAStageSays) {
+  SampledSurface made = sampled(test::octahedron(), 0.6);
+  for (TangentPlane& plane : made.surface.sample->tangents.plane) plane.normal = plane.origin;
+  made.surface.stages.back().measures = {{"inconsistent_stars", 0}, {"epsilon", 0.04}};
+  const Practice practice = report_of(made).practice;
+  EXPECT_EQ(practice.verdict, Practice::Verdict::fair);
+  EXPECT_EQ(practice.because, std::vector<std::string>{"phi over radius of curvature <= 0.3 fails: 0.6"});
 }
 
 TEST(SampleReport, DoubtsNoiseOfMoreThanAHundredthOfTheDiagonal) {
