@@ -29,6 +29,7 @@ std::string remedy_for(const std::string& code, bool decimated) {
       {"inconsistent_stars", denser + ", or smooth the noise away"},
       {"repaired", denser + ", or smooth the noise away"},
       {"boundary", denser + " if the surface should be closed, say boundary=open if not"},
+      {"one_sided", "give the strip as a mesh, or cut it open across here"},
       {"unused_points", "remove outliers, or " + denser},
       {"components", denser + " if the parts belong together"}};
   if (const auto found = remedies.find(code); found != remedies.end()) return found->second;

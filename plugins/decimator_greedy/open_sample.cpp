@@ -18,6 +18,8 @@ constexpr double joined_within = 2.5;
 /// Noise stays below it, since psi is at least 5 sigma.
 constexpr double most_height = 0.75;
 constexpr std::size_t around = 17;
+/// Some eighty points lie so near in a uniform sample; where psi is far above the spacing there is no end of them.
+constexpr std::size_t looked_at = 200;
 
 std::vector<char> bent_points(const LivePoints& live, const Control& control, RunContext& context) {
   const Neighbours neighbours(live.points);
@@ -27,8 +29,9 @@ std::vector<char> bent_points(const LivePoints& live, const Control& control, Ru
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 normal = grown_plane(neighbours, static_cast<Index>(i), around, near).normal;
       const double psi = control.psi[live.sample_index[i]];
-      neighbours.within(live.points[i], joined_within * psi, near);
+      neighbours.nearest(live.points[i], looked_at, near, static_cast<Index>(i));
       bent[i] = std::ranges::any_of(near, [&](const Neighbour& n) {
+        if (std::sqrt(n.squared_distance) > joined_within * psi) return false;
         return std::abs(dot(live.points[n.index] - live.points[i], normal)) > most_height * psi;
       });
     }

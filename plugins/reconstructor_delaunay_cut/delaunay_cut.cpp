@@ -147,8 +147,15 @@ class Reconstructing {
     }
     const std::size_t before = all_.faces.size();
     gather(cut_piece(piece, stars, context_), piece, boundary_, phi_, all_);
-    if (sheets_ && !sheets_->left_open(members, std::span(all_.faces).subspan(before)))
-      refuse("it shows a boundary, but neither a sheet that ends there nor a closed surface comes out");
+    if (sheets_) tell_closed_rim(sheets_->closed_rim(members, std::span(all_.faces).subspan(before)));
+  }
+
+  void tell_closed_rim(const std::vector<Index>& rim) {
+    if (rim.empty()) return;
+    add(Finding::Severity::warning, "closed_rim",
+        "at " + counted(rim.size(), "point", "points") +
+            " the sample seems to show a boundary, which the surface closes: distances there may be too short.",
+        rim);
   }
 
   /// Where the sample shows a boundary there need not be an inside: a sheet is laid then, if one comes out whole.

@@ -36,9 +36,8 @@ class DelaunayCut final : public SurfaceReconstructor {
 
   /// Throws SampleError, with the density that would do where it can be said, if there are fewer than three points or
   /// all on a line; over 20 % of the star triangles are inconsistent (unless stars=allow); the border is no 2-manifold
-  /// after repairs of up to 2 % of the points; over 5 % of the points are left out; a sheet is one-sided, or neither a
-  /// sheet nor a cut that leaves its rim open comes out whole; or a hole is found under boundary=closed. O(n log n)
-  /// typically.
+  /// after repairs of up to 2 % of the points; over 5 % of the points are left out; a sheet is one-sided; or a hole
+  /// is found under boundary=closed. O(n log n) typically.
   Reconstruction reconstruct(const PointSample& sample, const Tangents& tangents, const Control& control,
                              std::span<const Index> kept, RunContext& context) const override;
 

@@ -28,8 +28,7 @@ bool OpenSheets::shown_by(std::span<const Index> members) const {
   return std::ranges::any_of(members, [&](Index p) { return sample_.spacing[p] > 0; });
 }
 
-bool OpenSheets::left_open(std::span<const Index> members, std::span<const Triangle> faces) const {
-  if (!shown_by(members)) return true;
+std::vector<Index> OpenSheets::closed_rim(std::span<const Index> members, std::span<const Triangle> faces) const {
   std::map<std::pair<Index, Index>, int> edges;
   for (const Triangle& t : faces)
     for (int i = 0; i < 3; ++i) ++edges[std::minmax(t[i], t[(i + 1) % 3])];
@@ -38,12 +37,13 @@ bool OpenSheets::left_open(std::span<const Index> members, std::span<const Trian
     used.insert({edge.first, edge.second});
     if (count == 1) border.insert({edge.first, edge.second});
   }
-  std::size_t shown = 0, open = 0;
+  std::vector<Index> shown, closed;
   for (const Index p : members) {
     if (!(sample_.spacing[p] > 0)) continue;
-    ++shown, open += border.contains(p) || !used.contains(p);
+    shown.push_back(p);
+    if (used.contains(p) && !border.contains(p)) closed.push_back(p);
   }
-  return 2 * open >= shown;
+  return 2 * closed.size() > shown.size() ? closed : std::vector<Index>();
 }
 
 bool is_whole(const SheetSurface& sheet, std::size_t points) {

@@ -16,8 +16,8 @@ class OpenSheets {
   bool any() const noexcept { return any_; }
   bool shown_by(std::span<const Index> members) const;
 
-  /// Tells whether most of the members that lie on a boundary lie on the border of the faces, or on no face.
-  bool left_open(std::span<const Index> members, std::span<const Triangle> faces) const;
+  /// The members that lie on a boundary, if most of them are inside the faces, which have closed it; else none.
+  std::vector<Index> closed_rim(std::span<const Index> members, std::span<const Triangle> faces) const;
 
   /// As sheet_surface.
   SheetSurface make(const PlanarStars& stars, std::span<const Index> members, bool close_thin) const {

@@ -56,11 +56,13 @@ void check_index(std::string_view input) {
   std::string bytes(rest_of(input));
   put_right_index(bytes, Choices(input));
   file.hold(bytes);
-  auto stream = read_or_refusal(file.path(), bytes, [&] { return open_index(file.path(), index_identity()); });
-  if (!stream) return;
-  const std::string payload{std::istreambuf_iterator<char>(*stream), {}};
-  demand(payload.size() == number_in(bytes, payload_length), "the payload has its length");
-  demand(bytes.ends_with(payload), "the payload is the end of the file");
+  const auto payload = read_or_refusal(file.path(), bytes, [&] {
+    TextInput stream = open_index(file.path(), index_identity());
+    return std::string{std::istreambuf_iterator<char>(stream), {}};
+  });
+  if (!payload) return;
+  demand(payload->size() == number_in(bytes, payload_length), "the payload has its length");
+  demand(bytes.ends_with(*payload), "the payload is the end of the file");
 }
 
 std::vector<std::string> index_seeds() {

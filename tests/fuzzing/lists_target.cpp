@@ -63,7 +63,10 @@ void demand_sound(const NamedPoint& point) {
 std::string text_of(const PointEntry& entry) {
   const auto& [x, y, z] = entry.numbers;
   const std::string numbers = number_text(x) + " " + number_text(y) + " " + number_text(z);
-  if (entry.kind == Kind::row) return std::to_string(entry.index);
+  if (entry.kind == Kind::row && entry.count == 1) return std::to_string(entry.index);
+  if (entry.kind == Kind::row)
+    return std::to_string(entry.index) + ":" + std::to_string(entry.index + (entry.count - 1) * entry.step + 1) + ":" +
+           std::to_string(entry.step);
   return entry.kind == Kind::position ? numbers : std::to_string(entry.index) + " " + numbers;
 }
 
@@ -72,7 +75,8 @@ bool same(const PointEntry& a, const PointEntry& b) {
   bool near = true;
   for (std::size_t i = 0; i < 3; ++i)
     near &= a.kind == Kind::on_face ? std::abs(a.numbers[i] - b.numbers[i]) <= 1e-15 : a.numbers[i] == b.numbers[i];
-  return a.kind == b.kind && a.index == b.index && a.start == b.start && near;
+  return a.kind == b.kind && a.index == b.index && a.count == b.count && (a.count == 1 || a.step == b.step) &&
+         a.start == b.start && near;
 }
 
 bool same_entries(const Selection& a, const Selection& b) {
@@ -114,7 +118,7 @@ void check_text_itself(std::string_view text) {
   const auto list = read_or_refusal("", text, [&] { return parse_selection(std::string(text)); });
   if (!list) return;
   demand(list->all != !list->entries.empty(), "a list names points, or all");
-  for (const PointEntry& entry : list->entries) demand(entry.kind == Kind::row, "a list in the text names rows");
+  for (const PointEntry& entry : list->entries) demand_sound(entry);
 }
 
 bool may_end_otherwise(std::string_view text) { return text.find('\r') == text.npos; }
@@ -135,7 +139,7 @@ void check_points(std::string_view input) {
     demand(same_entries(points_in(with_windows_line_ends(text)), *list), "line ends of Windows change nothing");
   const auto places = read_or_refusal(file, text, [&] { return resolve(*list, ground().input, ground().surface); });
   if (!places) return;
-  demand(places->size() == list->entries.size(), "every entry has a place");
+  demand(places->size() == list->count(), "every point of a list has a place");
   for (const NamedPoint& point : *places) demand_sound(point);
 }
 
