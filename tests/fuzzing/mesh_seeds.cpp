@@ -63,13 +63,18 @@ const std::vector<std::string> xyz_texts{"0 0 0\n1 2.5 3e-1\n# c\n-4 5 6\n", "1 
                                          "\xEF\xBB\xBF"
                                          "1 2 3\r\n4 5 6\r\n"};
 
+const std::vector<std::string> csv_texts{"x,y,z\n0,0,0\n1,2.5,3e-1\n",   "id;z;y;x\n7;1;2;3\n8;4;5;6\n",
+                                         "0,0,0,1\n1,1,1,2,\n",          "\"x\",\"y\",\"z\"\n\"1\",\"2\",\"3\"\n",
+                                         "//X Y Z Intensity\n1 2 3 4\n", "2\n1\t2\t3\n4\t5\t6\n"};
+
 struct Texts {
   std::string_view format;
   const std::vector<std::string>& texts;
 };
 
 std::vector<Texts> all_texts() {
-  return {{"OFF", off_texts}, {"OBJ", obj_texts}, {"PLY", ply_texts}, {"STL", stl_texts}, {"XYZ", xyz_texts}};
+  return {{"OFF", off_texts}, {"OBJ", obj_texts}, {"PLY", ply_texts},
+          {"STL", stl_texts}, {"XYZ", xyz_texts}, {"CSV", csv_texts}};
 }
 
 void append_meshes(const Format& format, std::vector<std::string>& files) {

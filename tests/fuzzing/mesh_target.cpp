@@ -122,6 +122,7 @@ void check_obj(std::string_view input) { check_format("OBJ", input); }
 void check_ply(std::string_view input) { check_format("PLY", input); }
 void check_stl(std::string_view input) { check_format("STL", input); }
 void check_xyz(std::string_view input) { check_format("XYZ", input); }
+void check_csv(std::string_view input) { check_format("CSV", input); }
 
 /// Any file, under a name that may or may not tell its format.
 void check_any(std::string_view input) {

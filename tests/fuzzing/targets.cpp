@@ -12,7 +12,9 @@ void check_obj(std::string_view input);
 void check_ply(std::string_view input);
 void check_stl(std::string_view input);
 void check_xyz(std::string_view input);
+void check_csv(std::string_view input);
 void check_any(std::string_view input);
+void check_gzip(std::string_view input);
 void check_points(std::string_view input);
 void check_pairs(std::string_view input);
 void check_weights(std::string_view input);
@@ -24,6 +26,7 @@ void check_descriptor(std::string_view input);
 void check_vet_answer(std::string_view input);
 void check_options(std::string_view input);
 
+std::vector<std::string> gzip_seeds();
 std::vector<std::string> point_seeds();
 std::vector<std::string> pair_seeds();
 std::vector<std::string> weight_seeds();
@@ -42,7 +45,9 @@ std::span<const Target> targets() {
       {"ply", check_ply, [] { return mesh_seeds("PLY"); }},
       {"stl", check_stl, [] { return mesh_seeds("STL"); }},
       {"xyz", check_xyz, [] { return mesh_seeds("XYZ"); }},
+      {"csv", check_csv, [] { return mesh_seeds("CSV"); }},
       {"any", check_any, [] { return mesh_seeds(""); }},
+      {"gzip", check_gzip, gzip_seeds},
       {"points", check_points, point_seeds},
       {"pairs", check_pairs, pair_seeds},
       {"weights", check_weights, weight_seeds},
