@@ -10,10 +10,13 @@ namespace {
 
 constexpr int signals[] = {SIGKILL, SIGTERM, SIGINT, SIGHUP};
 
-/// A signal that comes before the program listens ends it; nothing is made by then.
-Expected expected_of(int signal) {
-  if (signal == SIGKILL) return {.statuses = {0, 128 + SIGKILL}, .may_be_killed = true};
-  return {.statuses = {0, 130, 128 + signal}};
+/// A signal that comes before the program listens ends it; nothing is made by then. A job that tells failures runs in
+/// processes of its own: one that is killed is told, with the status of a crash.
+Expected expected_of(int signal, const Job& job) {
+  if (signal != SIGKILL) return {.statuses = {0, 130, 128 + signal}};
+  Expected expected{.statuses = {0, 128 + SIGKILL}, .may_be_killed = true};
+  if (job.tells_failures) expected.statuses.insert(5);
+  return expected;
 }
 
 /// At the calls that make or change files, where a moment matters most.
@@ -27,7 +30,7 @@ void signal_at_calls(Campaign& campaign, Judge& judge) {
         if (!campaign.all && campaign.any(calls * std::size(signals)) > 0) continue;
         const Fault fault{.call = call, .at = at, .act = "signal:" + std::to_string(signal)};
         Ended ended;
-        const std::string complaint = judge.trial({.fault = fault}, expected_of(signal), ended);
+        const std::string complaint = judge.trial({.fault = fault}, expected_of(signal, judge.job()), ended);
         campaign.note("signal at", judge.job().name, fault.text(), ended,
                       ended.struck ? complaint : "the fault did not come");
       }
@@ -42,7 +45,7 @@ void signal_at_allocations(Campaign& campaign, Judge& judge, int times) {
     const int signal = signals[campaign.any(std::size(signals))];
     const Fault fault{.call = "malloc", .at = campaign.any(calls) + 1, .act = "signal:" + std::to_string(signal)};
     Ended ended;
-    const std::string complaint = judge.trial({.fault = fault}, expected_of(signal), ended);
+    const std::string complaint = judge.trial({.fault = fault}, expected_of(signal, judge.job()), ended);
     campaign.note("signal in", judge.job().name, fault.text(), ended, complaint);
   }
 }
@@ -57,7 +60,8 @@ void signal_at_random(Campaign& campaign, Judge& judge, int signal, int times) {
   for (int i = 0; i < times; ++i) {
     const double after = any_moment(campaign, judge);
     Ended ended;
-    const std::string complaint = judge.trial({.signal = signal, .after = after}, expected_of(signal), ended);
+    const std::string complaint =
+        judge.trial({.signal = signal, .after = after}, expected_of(signal, judge.job()), ended);
     campaign.note(sigabbrev_np(signal), judge.job().name, "after " + std::to_string(after) + " s", ended, complaint);
   }
 }
@@ -71,7 +75,7 @@ void kill_and_resume(Campaign& campaign, const Judge& judge, int times) {
   std::uint64_t rows = 0;
   for (int i = 0; i < times; ++i) {
     const Ended ended = campaign.lab.run(resumed, {.signal = SIGKILL, .after = any_moment(campaign, judge)});
-    std::string complaint = judge.complaint(ended, expected_of(SIGKILL));
+    std::string complaint = judge.complaint(ended, expected_of(SIGKILL, job));
     const Files files = campaign.lab.files();
     const std::uint64_t now = rows_on_record(files, job);
     const bool published = files.contains(job.outputs[0]);
