@@ -44,8 +44,8 @@ Distance by_search(const ShortestPathMap& map, const Starts& starts, std::span<c
   const Distance found = map.at(target.place.at);
   if (!is_distance(found.value)) throw_no_distance(found.value, "target " + target.label);
   if ((found.reach == Reach::reached) != std::isfinite(found.value))
-    throw NumericalError("said " + std::string(reach_word(found.value, found.reach, target.place)) + " of target " + target.label +
-                             ", whose distance it gives as " + std::to_string(found.value),
+    throw NumericalError("said " + std::string(reach_word(found.value, found.reach, target.place)) + " of target " +
+                             target.label + ", whose distance it gives as " + std::to_string(found.value),
                          "choose another solver, and report this to the author of the plugin");
   if (found.reach != Reach::reached) return {found.value, found.reach, no_index};
   if (found.source >= starts.sources.size())

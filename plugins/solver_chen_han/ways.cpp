@@ -37,8 +37,8 @@ std::array<Counter, 8> Propagation::counters() const {
 }
 
 std::size_t Propagation::bytes() const {
-  return VertexPropagation::bytes() + wavefront_.bytes() + trimming_.bytes() + fans_.bytes() + kept_.bytes() + list_.bytes() +
-         chosen_.bytes();
+  return VertexPropagation::bytes() + wavefront_.bytes() + trimming_.bytes() + fans_.bytes() + kept_.bytes() +
+         list_.bytes() + chosen_.bytes();
 }
 
 }  // namespace geodrome::chen_han

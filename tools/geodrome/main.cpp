@@ -21,9 +21,8 @@ constexpr const char* footer =
     "Indices count from 0. Unreachable is inf, dropped or off the part nan.\n"
     "Exit status: 0 done, 1 internal error, 2 usage, 3 bad input, unwritable output, or a plugin's needs or provides "
     "not met,\n"
-    "4 refused (disk, memory, --yes, sample or surface not fit, a plugin by 'plugins check'), 5 plugin failure or distances "
-    "that broke a promise, 130 "
-    "cancelled.\n"
+    "4 refused (disk, memory, --yes, sample or surface not fit, a plugin by 'plugins check'), 5 plugin failure or "
+    "distances that broke a promise, 130 cancelled.\n"
     "'geodrome COMMAND --help' tells the options of a command.";
 
 /// A standard stream that the caller has closed is replaced by one that cannot be used: the next file that is opened
