@@ -21,29 +21,47 @@ constexpr unsigned neighbours = 6;
 
 Point point(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-}  // namespace
-
-Claim claim_curvature(const PlacedSurface& surface) {
-  const SampleStages& stages = *surface.sample;
+/// Calls visit(point, phi over the radius of curvature) for both ends of every two kept points that are neighbours and
+/// wanted.
+template <class Wanted, class Visit>
+void visit_turns(const SampleStages& stages, const Wanted& wanted, const Visit& visit) {
   const std::vector<Vec3>& points = stages.smoothed.points;
   const std::vector<TangentPlane>& planes = stages.tangents.plane;
-  Gauge gauge("phi_to_curvature_radius", "phi over radius of curvature <= 0.3", "practice", Claim::Sense::at_most,
-              good_epsilon, stages.control.phi.size());
   std::vector<Entry> entries;
   for (const Index i : stages.kept) entries.emplace_back(point(points[i]), i);
   const bgi::rtree<Entry, bgi::linear<16>> tree(entries);
   std::vector<Entry> near;
   for (const Index i : stages.kept) {
+    if (!wanted(i)) continue;
     near.clear();
     tree.query(bgi::nearest(point(points[i]), neighbours + 1), std::back_inserter(near));
     for (const auto& [place, j] : near) {
-      if (i == j) continue;
+      if (i == j || !wanted(j)) continue;
       const double cosine = std::min(1.0, std::abs(dot(planes[i].normal, planes[j].normal)));
       const double curvature = std::sqrt(2 * (1 - cosine)) / distance(points[i], points[j]);
-      for (const Index end : {i, j}) gauge.add(end, stages.control.phi[end] * curvature);
+      for (const Index end : {i, j}) visit(end, stages.control.phi[end] * curvature);
     }
   }
+}
+
+}  // namespace
+
+Claim claim_curvature(const PlacedSurface& surface) {
+  const SampleStages& stages = *surface.sample;
+  Gauge gauge("phi_to_curvature_radius", "phi over radius of curvature <= 0.3", "practice", Claim::Sense::at_most,
+              good_epsilon, stages.control.phi.size());
+  visit_turns(
+      stages, [](Index) { return true; }, [&](Index i, double value) { gauge.add(i, value); });
   return std::move(gauge).finish("no points were kept");
+}
+
+double least_epsilon(const PlacedSurface& surface) {
+  if (!surface.mesh || surface.mesh->closed()) return claim_curvature(surface).measured;
+  const SampleStages& stages = *surface.sample;
+  const auto inside = [&](Index i) { return stages.control.state[i] == PointState::ok; };
+  double least = std::numeric_limits<double>::quiet_NaN();
+  visit_turns(stages, inside, [&](Index, double value) { least = std::fmax(least, value); });
+  return std::isnan(least) ? claim_curvature(surface).measured : least;
 }
 
 }  // namespace geodrome

@@ -115,7 +115,7 @@ SampleReport make_sample_report(const Input& input, const PlacedSurface& surface
   if (refusal) report.refusal = Refusal{refusal->plugin(), refusal->message(), refusal->remedy()};
   const StageFigure& estimate = report.figure("epsilon");
   const Claim curvature = claim_curvature(surface), on_surface = claim_points_on_surface(input, surface);
-  report.epsilon = estimate.is_measured() ? estimate.value : curvature.measured;
+  report.epsilon = estimate.is_measured() ? estimate.value : least_epsilon(surface);
   report.points_for_the_paper = points_for(epsilon_of_the_paper, report.epsilon, report.facts.live());
   report.points_for_practice = points_for(good_epsilon, report.epsilon, report.facts.live());
 

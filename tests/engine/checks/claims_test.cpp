@@ -120,6 +120,27 @@ TEST(Claims, FindThePointWhosePhiIsTooLargeForTheCurvature) {
   EXPECT_EQ(found.places.front().point, 4u);
 }
 
+TEST(Claims, TakeNoLowerBoundOfEpsilonFromARim) {
+  const MeshPtr closed = test::octahedron();
+  std::vector<Triangle> faces(closed->triangles().begin(), closed->triangles().end());
+  const Triangle hole = faces.back();
+  faces.pop_back();
+  const auto with_rim = [&](MeshPtr mesh) {
+    SampledSurface made = sampled(std::move(mesh), 0.2);
+    for (TangentPlane& plane : made.surface.sample->tangents.plane) plane.normal = plane.origin;
+    Control& control = made.surface.sample->control;
+    for (const Index i : hole) control.phi[i] = 0.8, control.state[i] = PointState::unbounded;
+    return made;
+  };
+  const std::vector<Vec3> points(closed->positions().begin(), closed->positions().end());
+  SampledSurface open = with_rim(std::make_shared<const SurfaceMesh>(points, faces));
+  EXPECT_NEAR(claim_curvature(open.surface).measured, 0.8, 1e-12);
+  EXPECT_NEAR(least_epsilon(open.surface), 0.2, 1e-12);
+  EXPECT_NEAR(least_epsilon(with_rim(closed).surface), 0.8, 1e-12) << "closed: there is no rim";
+  open.surface.sample->control.state.assign(points.size(), PointState::capped);
+  EXPECT_NEAR(least_epsilon(open.surface), 0.8, 1e-12) << "there are no others";
+}
+
 TEST(Claims, FindThePointOffTheSurface) {
   SampledSurface made = sampled(test::plane_grid(3), 1);
   made.surface.places[5].position.z += 2.5;

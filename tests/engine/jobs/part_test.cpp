@@ -87,9 +87,16 @@ TEST_F(Parts, OfASphereInOutliersHasItsDistances) {
 TEST_F(Parts, OfADoubledNoisyPlaneHasItsDistances) {
   const Session on = session(test::doubled_plane(4000, 4));
   EXPECT_GE(on.surface().part->share(), 0.9);
-  const auto [mean, largest] = errors(on, 0.3, [](const Vec3& s, const Vec3& t) { return distance(s, t); });
-  EXPECT_LT(mean, 2e-3);
-  EXPECT_LT(largest, 1e-2);
+  const auto [mean, of_all] = errors(on, 0.3, [](const Vec3& s, const Vec3& t) { return distance(s, t); });
+  EXPECT_LT(mean, 1e-3);
+  // The rim is ragged: a way to a point on it may have to go around a bay between two others.
+  const auto off_the_rim = [&](const Vec3& s, const Vec3& t) {
+    const double to_rim = std::min({t.x, t.y, 1 - t.x, 1 - t.y});
+    return to_rim < on.surface().part->spacing ? 0 : distance(s, t);  // 0: not far, so not looked at
+  };
+  const auto [mean_inside, largest_inside] = errors(on, 0.3, off_the_rim);
+  EXPECT_LT(mean_inside, 1e-3);
+  EXPECT_LT(largest_inside, 2e-3);
 }
 
 TEST_F(Parts, OfADepthImageDoNotCrossTheJump) {
