@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# CGAL's heat method gives NaN for every vertex, near ones too, once one vertex is some 700 edges from the source.
+set -euo pipefail
+version=5.5.1-2
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+apt-get -qq -o APT::Sandbox::User=root download "libcgal-dev=$version" libboost1.74-dev libeigen3-dev libgmp-dev \
+  libmpfr-dev libgmp10 libgmpxx4ldbl libmpfr6
+for package in ./*.deb; do dpkg -x "$package" root; done
+multiarch=$(g++ -print-multiarch)
+libraries=$folder/root/usr/lib/$multiarch
+
+cat >strip.cpp <<'CODE'
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+// A strip of unit squares, each of two triangles; the source is at one end. Prints how many distances are NaN.
+int main(int, char** arguments) {
+  const int squares = std::atoi(arguments[1]);
+  Mesh mesh;
+  auto low = mesh.add_vertex({0, 0, 0}), high = mesh.add_vertex({0, 1, 0});
+  const auto source = low;
+  for (int i = 1; i <= squares; ++i) {
+    const auto next_low = mesh.add_vertex({double(i), 0, 0}), next_high = mesh.add_vertex({double(i), 1, 0});
+    mesh.add_face(low, next_low, next_high), mesh.add_face(low, next_high, high);
+    low = next_low, high = next_high;
+  }
+  auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
+  CGAL::Heat_method_3::estimate_geodesic_distances(mesh, distance, source);
+  int no_number = 0;
+  for (const auto v : mesh.vertices()) no_number += std::isnan(distance[v]);
+  std::printf("%d %zu\n", no_number, std::size_t(mesh.number_of_vertices()));
+}
+CODE
+g++ -O1 -w -DCGAL_HEADER_ONLY -DCGAL_EIGEN3_ENABLED -I root/usr/include -I "root/usr/include/$multiarch" \
+  -I root/usr/include/eigen3 strip.cpp -o strip -L "$libraries" -lgmp -lmpfr
+
+echo "CGAL $version, Heat_method_3::estimate_geodesic_distances, strips of unit squares, the source at one end"
+echo "expected   an estimate for each vertex; if heat is too weak to be seen far away, then only there"
+for squares in 500 1000; do
+  read -r no_number vertices <<<"$(LD_LIBRARY_PATH=$libraries ./strip $squares)"
+  echo "seen       $squares squares: $no_number of $vertices distances are NaN"
+  wanted=0
+  [ "$squares" -eq 500 ] || wanted=$vertices
+  if [ "$no_number" -ne "$wanted" ]; then
+    echo "CHANGED    $wanted were NaN before"
+    exit 1
+  fi
+done
+echo "hurts      long thin meshes (roads, vessels, hair): at 1000 squares the neighbours of the source get NaN too; there"
+echo "           is no error, and comparisons with NaN are false"
