@@ -52,9 +52,9 @@ inline constexpr double good_epsilon = 0.3, fair_epsilon = 0.5;
 /// surface. Bound: `good_epsilon`.
 Claim claim_curvature(const PlacedSurface& surface);
 
-/// A lower bound of epsilon: what claim_curvature measures, on a surface with a boundary only between points whose
-/// state is `ok`, if there are any. On a rim phi is no lower bound: it reaches past the surface, and the planes of
-/// points nearer to each other than psi, which only a rim keeps, turn by their noise. NaN if no points were kept.
+/// Epsilon as claim_curvature shows it, on a surface with a boundary only between points whose state is `ok`, if nine
+/// of ten kept points are. On a rim phi reaches past the surface, and the planes of points nearer to each other than
+/// psi, which only a rim keeps, turn by their noise. NaN if no points were kept.
 double least_epsilon(const PlacedSurface& surface);
 
 /// Every live point of the input nearer to the surface than its psi. No bound of the paper: a point farther off than

@@ -18,6 +18,9 @@ using Entry = std::pair<Point, Index>;
 
 /// As many as a vertex of a triangulation has on average.
 constexpr unsigned neighbours = 6;
+/// Share of the kept points. Of pipes whose slit is too narrow for the sample, and so joined, a quarter is on the rim:
+/// what phi is there tells of the slit.
+constexpr double most_on_rim = 0.1;
 
 Point point(const Vec3& p) { return {p.x, p.y, p.z}; }
 
@@ -56,9 +59,11 @@ Claim claim_curvature(const PlacedSurface& surface) {
 }
 
 double least_epsilon(const PlacedSurface& surface) {
-  if (!surface.mesh || surface.mesh->closed()) return claim_curvature(surface).measured;
   const SampleStages& stages = *surface.sample;
   const auto inside = [&](Index i) { return stages.control.state[i] == PointState::ok; };
+  const auto count = static_cast<double>(std::ranges::count_if(stages.kept, inside));
+  const bool narrow = count < (1 - most_on_rim) * static_cast<double>(stages.kept.size());
+  if (!surface.mesh || surface.mesh->closed() || narrow) return claim_curvature(surface).measured;
   double least = std::numeric_limits<double>::quiet_NaN();
   visit_turns(stages, inside, [&](Index, double value) { least = std::fmax(least, value); });
   return std::isnan(least) ? claim_curvature(surface).measured : least;
