@@ -23,6 +23,7 @@ cat >square.cpp <<'CODE'
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <utility>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -37,11 +38,9 @@ int main() {
   mesh.add_face(a, c, d);
   std::mt19937 random(1);
   const auto coordinates = [&] {
-    std::array<double, 3> weights;
-    for (double& weight : weights) weight = 1 + random() % 1000;
-    const double sum = weights[0] + weights[1] + weights[2];
-    for (double& weight : weights) weight /= sum;
-    return weights;
+    double low = random() % 1000 / 1000.0, high = random() % 1000 / 1000.0;
+    if (low > high) std::swap(low, high);
+    return std::array{low, high - low, 1 - high};
   };
   int pairs = 1000, wrong = 0;
   double worst = 1;
@@ -54,8 +53,8 @@ int main() {
     for (const auto v : mesh.vertices()) {
       double nearest = 9;
       for (const auto& s : {first, second}) {
-        const double x = s[1] + s[2], y = s[2];  // of the corners (0, 0), (1, 0), (1, 1)
-        nearest = std::min(nearest, std::hypot(mesh.point(v).x() - x, mesh.point(v).y() - y));
+        const auto place = paths.point(face, {s[0], s[1], s[2]});
+        nearest = std::min(nearest, std::sqrt(CGAL::squared_distance(mesh.point(v), place)));
       }
       factor = std::max(factor, paths.shortest_distance_to_source_points(v).first / nearest);
     }

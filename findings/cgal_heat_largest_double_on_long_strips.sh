@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# CGAL's heat method gives NaN for every vertex, near ones too, once one vertex is some 700 edges from the source.
+# CGAL's heat method gives the largest double for every vertex, the source too, on a strip of 1000 squares.
 set -euo pipefail
 version=5.5.1-2
 
@@ -18,14 +18,15 @@ cat >strip.cpp <<'CODE'
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Surface_mesh.h>
 
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-// A strip of unit squares, each of two triangles; the source is at one end. Prints how many distances are NaN.
+// A strip of unit squares, each of two triangles; the source is at one end. Prints how many
+// distances are the largest double.
 int main(int, char** arguments) {
   const int squares = std::atoi(arguments[1]);
   Mesh mesh;
@@ -38,9 +39,9 @@ int main(int, char** arguments) {
   }
   auto distance = mesh.add_property_map<Mesh::Vertex_index, double>("v:distance", 0).first;
   CGAL::Heat_method_3::estimate_geodesic_distances(mesh, distance, source);
-  int no_number = 0;
-  for (const auto v : mesh.vertices()) no_number += std::isnan(distance[v]);
-  std::printf("%d %zu\n", no_number, std::size_t(mesh.number_of_vertices()));
+  int largest = 0;
+  for (const auto v : mesh.vertices()) largest += distance[v] == std::numeric_limits<double>::max();
+  std::printf("%d %zu\n", largest, std::size_t(mesh.number_of_vertices()));
 }
 CODE
 g++ -O1 -w -DCGAL_HEADER_ONLY -DCGAL_EIGEN3_ENABLED -I root/usr/include -I "root/usr/include/$multiarch" \
@@ -49,14 +50,14 @@ g++ -O1 -w -DCGAL_HEADER_ONLY -DCGAL_EIGEN3_ENABLED -I root/usr/include -I "root
 echo "CGAL $version, Heat_method_3::estimate_geodesic_distances, strips of unit squares, the source at one end"
 echo "expected   an estimate for each vertex; if heat is too weak to be seen far away, then only there"
 for squares in 500 1000; do
-  read -r no_number vertices <<<"$(LD_LIBRARY_PATH=$libraries ./strip $squares)"
-  echo "seen       $squares squares: $no_number of $vertices distances are NaN"
+  read -r largest vertices <<<"$(LD_LIBRARY_PATH=$libraries ./strip $squares)"
+  echo "seen       $squares squares: $largest of $vertices distances are 1.79769e+308"
   wanted=0
   [ "$squares" -eq 500 ] || wanted=$vertices
-  if [ "$no_number" -ne "$wanted" ]; then
-    echo "CHANGED    $wanted were NaN before"
+  if [ "$largest" -ne "$wanted" ]; then
+    echo "CHANGED    $wanted were before"
     exit 1
   fi
 done
-echo "hurts      long thin meshes (roads, vessels, hair): at 1000 squares the neighbours of the source get NaN too; there"
-echo "           is no error, and comparisons with NaN are false"
+echo "hurts      long thin meshes (roads, vessels): at 1000 squares the source is 1.8e308 from itself, and no error is told;"
+echo "           code that takes this number for unreachable finds a mesh of one piece in pieces"
