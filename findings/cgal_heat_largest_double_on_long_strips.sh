@@ -59,5 +59,5 @@ for squares in 500 1000; do
     exit 1
   fi
 done
-echo "hurts      long thin meshes (roads, vessels): at 1000 squares the source is 1.8e308 from itself, and no error is told;"
-echo "           code that takes this number for unreachable finds a mesh of one piece in pieces"
+echo "hurts      long thin meshes (roads, vessels): the source is 1.8e308 from itself, and no error is told; code"
+echo "           that takes this number for unreachable finds a mesh of one piece in pieces"

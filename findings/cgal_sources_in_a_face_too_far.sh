@@ -68,12 +68,12 @@ g++ -O1 -w -DCGAL_HEADER_ONLY -I root/usr/include -I "root/usr/include/$multiarc
   -L "$libraries" -lgmp -lmpfr
 read -r wrong worst <<<"$(LD_LIBRARY_PATH=$libraries ./square)"
 
-echo "CGAL $version, Surface_mesh_shortest_path, a unit square of two triangles, 1000 pairs of sources inside one of them"
+echo "CGAL $version, Surface_mesh_shortest_path, a square of two triangles, 1000 pairs of sources inside one"
 echo "expected   the distance of every vertex from the nearest of the two sources, by the documentation an exact method"
 echo "seen       of 1000 pairs $wrong have a vertex whose distance is too long, the worst $worst times too long"
 if [ "$wrong" -lt 10 ]; then
   echo "CHANGED    less than 10 pairs are wrong"
   exit 1
 fi
-echo "hurts      whoever asks for the nearest of several sources that are no vertices: no error, no assertion. One source"
-echo "           at a time, and the least of the distances, is right"
+echo "hurts      whoever asks for the nearest of several sources that are no vertices: no error, no assertion. One"
+echo "           source at a time, and the least of the distances, is right"
