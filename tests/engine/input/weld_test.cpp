@@ -230,7 +230,8 @@ Grid as_floats(Grid grid) {
 
 TEST(Float32, StepsFarFromTheOriginAreToldAgainstTheSpacing) {
   const Grid rounded = as_floats(sheet(512434.3, 5405590.1, 0.83));
-  const Finding* told = finding(rounded.input(), "float32_steps");
+  const Input mesh = rounded.input();
+  const Finding* told = finding(mesh, "float32_steps");
   ASSERT_TRUE(told);
   EXPECT_NE(told->message.find("in steps of 0.5"), std::string::npos) << told->message;
   const Input cloud = rounded.input({.as = InputKind::points});
