@@ -28,7 +28,7 @@ class NearestAuditor {
     for (Index i = 0; i < given.sources.size(); ++i)
       if (on_surface(given.sources[i])) usable_.push_back(i);
     for (Index j = 0; j < target_count(); ++j)
-      if (on_surface(target(j)) && is_promised(target(j))) judged_.push_back(j);
+      if (on_surface(target(j)) && solver_.states_factor_at(target(j).place)) judged_.push_back(j);
     RoundingScale scale(smallest_weight(mesh));
     for (const Distance& distance : given.distances) scale.distances({&distance.value, 1});
     result_.scale = scale.points(mesh.positions()).value();
@@ -53,9 +53,6 @@ class NearestAuditor {
  private:
   Index target_count() const { return static_cast<Index>(given_.targets.size()); }
   const NamedPoint& target(Index j) const { return given_.targets.named()[j]; }
-  bool is_promised(const NamedPoint& point) const {
-    return point.place.vertex != no_index || solver_.provides(Provides::factor_any_point);
-  }
 
   /// What the rule makes of a distance at least, whatever the search found: of a cloud the straight line.
   double least(Index j) const {
@@ -148,7 +145,7 @@ class NearestAuditor {
   void search_from_sources(double share, std::uint64_t seed) {
     std::vector<Index> chosen;
     for (const Index i : usable_)
-      if (is_promised(given_.sources[i])) chosen.push_back(i);
+      if (solver_.states_factor_at(given_.sources[i].place)) chosen.push_back(i);
     const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(chosen.size())));
     const auto search = make_search(solver_);
     std::vector<double> row(given_.targets.size());
@@ -171,9 +168,7 @@ class NearestAuditor {
   std::vector<Index> far_targets() const {
     std::vector<Index> reached;
     for (const Index j : judged_)
-      if (given_.distances[j].reach == Reach::reached &&
-          (target(j).place.vertex != no_index || solver_.provides(Provides::face_sources)))
-        reached.push_back(j);
+      if (given_.distances[j].reach == Reach::reached && solver_.takes_source_at(target(j).place)) reached.push_back(j);
     const auto farther = [&](Index a, Index b) { return given_.distances[a].value > given_.distances[b].value; };
     std::ranges::stable_sort(reached, farther);
     if (reached.size() <= fewest_searches) return reached;
@@ -182,8 +177,8 @@ class NearestAuditor {
 
   void search_from_targets() {
     const auto can_be_asked = [&](Index i) {
-      const NamedPoint& source = given_.sources[i];
-      return is_promised(source) && (source.place.vertex != no_index || solver_.provides(Provides::any_point));
+      const Place& place = given_.sources[i].place;
+      return solver_.states_factor_at(place) && solver_.answers_at(place);
     };
     if (!std::ranges::all_of(usable_, can_be_asked)) return;
     std::vector<SurfacePoint> ends;

@@ -16,10 +16,9 @@ constexpr std::size_t audited_pairs = 3;
 
 /// Whether a search could tell the distance, and the factor is promised of it and of the oracle.
 bool can_be_judged(const PreparedSolver& solver, const NamedPair& pair) {
-  const bool from_vertex = pair.from.place.vertex != no_index, to_vertex = pair.to.place.vertex != no_index;
-  return (from_vertex || solver.provides(Provides::face_sources)) &&
-         (to_vertex || solver.provides(Provides::any_point)) &&
-         ((from_vertex && to_vertex) || solver.provides(Provides::factor_any_point));
+  const Place &from = pair.from.place, &to = pair.to.place;
+  return solver.takes_source_at(from) && solver.answers_at(to) && solver.states_factor_at(from) &&
+         solver.states_factor_at(to);
 }
 
 std::vector<std::size_t> choose(const PreparedSolver& solver, std::span<const NamedPair> pairs,

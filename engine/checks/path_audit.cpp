@@ -27,17 +27,13 @@ double walked(const SurfaceMesh& mesh, const SurfacePoint& from, const PathResul
   return length;
 }
 
-bool is_promised(const PreparedSolver& solver, const Place& place) {
-  return place.vertex != no_index || solver.provides(Provides::factor_any_point);
-}
-
 /// The distance by a search from the other end; nothing where the solver cannot search so or promises no factor.
 std::optional<double> searched_back(const PreparedSolver& solver, const Place& from, const Place& to,
                                     RunContext& context) {
-  const bool possible = (to.vertex != no_index || solver.provides(Provides::face_sources)) &&
-                        (from.vertex != no_index || solver.provides(Provides::any_point));
-  if (!possible || !std::isfinite(solver.plugin.factor) || !is_promised(solver, from) || !is_promised(solver, to))
-    return std::nullopt;
+  const bool possible = solver.takes_source_at(to) && solver.answers_at(from);
+  const bool promised =
+      std::isfinite(solver.plugin.factor) && solver.states_factor_at(from) && solver.states_factor_at(to);
+  if (!possible || !promised) return std::nullopt;
   const auto search = make_search(solver);
   const Source source{to.at, 0};
   const Request request{.targets = {&from.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};

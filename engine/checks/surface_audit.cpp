@@ -49,16 +49,13 @@ double violation(double given, double found, double factor, const GivenRows& ter
 void compare_row(const GivenRows& given, std::size_t number, const SourceSurface& on, const ShortestPathMap& map,
                  const PreparedSolver& solver, AuditSummary& summary) {
   const double factor = solver.plugin.factor;
-  const auto is_promised = [&](const NamedPoint& point) {
-    return point.place.vertex != no_index || solver.provides(Provides::factor_any_point);
-  };
-  if (given.rows.empty() || !std::isfinite(factor) || !is_promised(on.source)) return;
+  if (given.rows.empty() || !std::isfinite(factor) || !solver.states_factor_at(on.source.place)) return;
   const std::vector<double>& row = given.rows[number];
   std::vector<double> found(row.size());
   read_row(&map, on.source, *on.targets, given.max_distance, found);
   for (std::size_t j = 0; j < row.size(); ++j) {
     const double missed = violation(row[j], found[j], factor, given);
-    if (!is_promised(on.targets->named()[j]) || !(missed > summary.worst_given)) continue;
+    if (!solver.states_factor_at(on.targets->named()[j].place) || !(missed > summary.worst_given)) continue;
     summary.worst_given = missed;
     summary.where_given = "the distance of target " + on.targets->named()[j].label + " from source " + on.source.label +
                           " is " + number_text(row[j]) + ", searched for anew " + number_text(found[j]);

@@ -16,6 +16,15 @@ struct PreparedSolver {
   StageRecord record;
 
   bool provides(Provides bit) const { return has(plugin.info.provides, bit); }
+
+  // At vertices every solver does all of these; off them it states which.
+  bool takes_source_at(const Place& place) const { return at_vertex_or(place, Provides::face_sources); }
+  bool answers_at(const Place& place) const { return at_vertex_or(place, Provides::any_point); }
+  /// The factor, if the solver states one, holds for distances from and to the place.
+  bool states_factor_at(const Place& place) const { return at_vertex_or(place, Provides::factor_any_point); }
+
+ private:
+  bool at_vertex_or(const Place& place, Provides bit) const { return place.vertex != no_index || provides(bit); }
 };
 
 /// Throws CapabilityError, naming plugin and capability, if the solver does not provide all of `wanted`.

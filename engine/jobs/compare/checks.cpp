@@ -35,8 +35,7 @@ InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) 
 /// For which of the queries the solver states its factor.
 std::vector<bool> stated_for(std::span<const NamedPoint> queries, const PreparedSolver& solver) {
   std::vector<bool> stated;
-  for (const NamedPoint& query : queries)
-    stated.push_back(query.place.vertex != no_index || solver.provides(Provides::factor_any_point));
+  for (const NamedPoint& query : queries) stated.push_back(solver.states_factor_at(query.place));
   return stated;
 }
 
