@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
-#define BOOST_ALLOW_DEPRECATED_HEADERS  // Boost.Geometry 1.74 includes a deprecated header of Boost's own
-#include <boost/geometry.hpp>
-#include <boost/geometry/index/rtree.hpp>
 #include <iterator>
 
 #include "engine/checks/gauge.hpp"
+#include "engine/input/point_tree.hpp"
 
 namespace geodrome {
 
 namespace {
-
-namespace bg = boost::geometry;
-namespace bgi = boost::geometry::index;
-
-using Point = bg::model::point<double, 3, bg::cs::cartesian>;
-using Entry = std::pair<Point, Index>;
 
 /// As many as a vertex of a triangulation has on average.
 constexpr unsigned neighbours = 6;
@@ -22,22 +14,19 @@ constexpr unsigned neighbours = 6;
 /// what phi is there tells of the slit.
 constexpr double most_on_rim = 0.1;
 
-Point point(const Vec3& p) { return {p.x, p.y, p.z}; }
-
 /// Calls visit(point, phi over the radius of curvature) for both ends of every two kept points that are neighbours and
 /// wanted.
 template <class Wanted, class Visit>
 void visit_turns(const SampleStages& stages, const Wanted& wanted, const Visit& visit) {
   const std::vector<Vec3>& points = stages.smoothed.points;
   const std::vector<TangentPlane>& planes = stages.tangents.plane;
-  std::vector<Entry> entries;
-  for (const Index i : stages.kept) entries.emplace_back(point(points[i]), i);
-  const bgi::rtree<Entry, bgi::linear<16>> tree(entries);
-  std::vector<Entry> near;
+  std::vector<input::PlacedPoint> entries, near;
+  for (const Index i : stages.kept) entries.emplace_back(input::tree_point(points[i]), i);
+  const input::PointTree tree(entries);
   for (const Index i : stages.kept) {
     if (!wanted(i)) continue;
     near.clear();
-    tree.query(bgi::nearest(point(points[i]), neighbours + 1), std::back_inserter(near));
+    tree.query(boost::geometry::index::nearest(input::tree_point(points[i]), neighbours + 1), std::back_inserter(near));
     for (const auto& [place, j] : near) {
       if (i == j || !wanted(j)) continue;
       const double cosine = std::min(1.0, std::abs(dot(planes[i].normal, planes[j].normal)));

@@ -18,12 +18,19 @@ using PlacedPoint = std::pair<TreePoint, Index>;
 using PointTree = boost::geometry::index::rtree<PlacedPoint, boost::geometry::index::linear<16>>;
 
 inline TreePoint tree_point(const Vec3& p) { return {p.x, p.y, p.z}; }
+inline Vec3 position_of(const TreePoint& p) { return {p.get<0>(), p.get<1>(), p.get<2>()}; }
 
-/// A tree of points with their places in the list. O(n log n).
-inline PointTree tree_of(std::span<const Vec3> points) {
+/// A tree of those points that `wanted(place)` takes, with their places in the list. O(n log n).
+template <class Wanted>
+PointTree tree_of(std::span<const Vec3> points, Wanted&& wanted) {
   std::vector<PlacedPoint> entries;
-  for (Index i = 0; i < points.size(); ++i) entries.emplace_back(tree_point(points[i]), i);
+  for (Index i = 0; i < points.size(); ++i)
+    if (wanted(i)) entries.emplace_back(tree_point(points[i]), i);
   return PointTree(entries);
+}
+
+inline PointTree tree_of(std::span<const Vec3> points) {
+  return tree_of(points, [](Index) { return true; });
 }
 
 /// The box around two points, wider by `margin` on all sides.
@@ -36,10 +43,8 @@ inline boost::geometry::model::box<TreePoint> box_around(const Vec3& a, const Ve
 inline std::vector<Index> places_near(const PointTree& tree, const Vec3& centre, double radius) {
   std::vector<Index> found;
   for (auto at = tree.qbegin(boost::geometry::index::intersects(box_around(centre, centre, radius))); at != tree.qend();
-       ++at) {
-    const TreePoint& p = at->first;
-    if (distance({p.get<0>(), p.get<1>(), p.get<2>()}, centre) <= radius) found.push_back(at->second);
-  }
+       ++at)
+    if (distance(position_of(at->first), centre) <= radius) found.push_back(at->second);
   std::ranges::sort(found);
   return found;
 }
