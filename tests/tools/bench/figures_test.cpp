@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/report/memory.hpp"
+#include "engine/surface/off_surface.hpp"
 #include "tools/bench/samples/distance_errors.hpp"
 #include "tools/bench/samples/disturb.hpp"
 #include "tools/bench/samples/hausdorff.hpp"
@@ -52,7 +53,7 @@ TEST(SurfaceGap, DrawsPointsUniformlyByArea) {
 
 TEST(SurfaceGap, DiagonalIgnoresVerticesOnNoFace) {
   const SurfaceMesh mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {9, 9, 9}}, {{0, 1, 2}});
-  EXPECT_NEAR(diagonal_of(mesh), std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(surface_diagonal(mesh), std::sqrt(2.0), 1e-15);
 }
 
 TEST(Disturb, OutliersFollowThePointsAndFillTheEnlargedBox) {

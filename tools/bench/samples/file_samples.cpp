@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <ostream>
 
+#include "engine/surface/off_surface.hpp"
 #include "tools/bench/samples/hausdorff.hpp"
 #include "tools/bench/samples/sample_case.hpp"
 
@@ -20,7 +21,7 @@ MeshPtr reference_of(const std::filesystem::path& file, const ReadOptions& optio
 }
 
 void print_gap(std::ostream& out, const MeshPtr& reference, const MeshPtr& made, std::uint64_t seed) {
-  const double diagonal = diagonal_of(*reference);
+  const double diagonal = surface_diagonal(*reference);
   const SurfaceGap there = surface_gap(reference, made, gap_samples, seed);
   const SurfaceGap back = surface_gap(made, reference, gap_samples, seed);
   char text[300];

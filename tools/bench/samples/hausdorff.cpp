@@ -52,15 +52,4 @@ SurfaceGap surface_gap(const MeshPtr& from, const MeshPtr& to, std::size_t sampl
   return gap;
 }
 
-double diagonal_of(const SurfaceMesh& mesh) {
-  Vec3 low{infinity, infinity, infinity}, high = -low;
-  for (const Triangle& triangle : mesh.triangles())
-    for (const Index v : triangle) {
-      const Vec3& p = mesh.positions()[v];
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-  return distance(low, high);
-}
-
 }  // namespace geodrome::bench

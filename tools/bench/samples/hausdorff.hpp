@@ -17,7 +17,4 @@ struct SurfaceGap {
 /// drawn points are dense. Throws InputError (empty) if a mesh has no face. O(samples log F).
 SurfaceGap surface_gap(const MeshPtr& from, const MeshPtr& to, std::size_t samples, std::uint64_t seed);
 
-/// The diagonal of the box of the vertices that faces use.
-double diagonal_of(const SurfaceMesh& mesh);
-
 }  // namespace geodrome::bench
