@@ -12,7 +12,6 @@
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/propagation.hpp"
 #include "plugins/common/exact/watched_target.hpp"
-#include "plugins/common/mesh/labels.hpp"
 
 namespace geodrome {
 
@@ -122,7 +121,7 @@ double PropagationSearch<Propagation>::farthest_target(const Request& request) c
     const Index vertex = mesh().vertex_at(target);
     farthest =
         std::max(farthest, vertex == no_index ? watched_way(target).distance
-                                              : propagation_.labels().distance(surface_->vertex_of_original(vertex)));
+                                              : propagation_.answer(surface_->vertex_of_original(vertex)).distance);
   }
   return farthest;
 }
@@ -132,8 +131,8 @@ void PropagationSearch<Propagation>::write_distances() {
   const double units = std::ldexp(1.0, surface_->exponent());
   for (const Index v : written_) distances_[v] = infinity;
   written_.clear();
-  for (const Index v : propagation_.labels().touched()) {
-    const double inner = propagation_.labels().distance(v), value = inner / units;
+  for (const Index v : propagation_.reached()) {
+    const double inner = propagation_.answer(v).distance, value = inner / units;
     if (value > radius() || inner > limit_) continue;
     written_.push_back(surface_->original_vertex(v));
     distances_[written_.back()] = value;
@@ -150,8 +149,8 @@ template <MeshPropagation Propagation>
 Distance PropagationSearch<Propagation>::distance_at(const SurfacePoint& point) const {
   const Index vertex = mesh().vertex_at(point);
   if (vertex != no_index) {
-    const Label& label = propagation_.labels()[surface_->vertex_of_original(vertex)];
-    return judge(label.distance, label.source, point.face);
+    const FoundDistance found = propagation_.answer(surface_->vertex_of_original(vertex));
+    return judge(found.distance, found.source, point.face);
   }
   const NearestWay nearest = nearest_way(point);
   return judge(nearest.distance, nearest.source, point.face);
@@ -216,11 +215,11 @@ auto PropagationSearch<Propagation>::plain_way(const SurfacePoint& inner) const 
     if (distance < way.distance) way = {distance, it->second};
   }
   for (Index i = 0; i < 3; ++i) {
-    const Label& label = propagation_.labels()[surface_->from(frame + i)];
-    if (label.source == no_index) continue;
+    const FoundDistance corner = propagation_.answer(surface_->from(frame + i));
+    if (corner.source == no_index) continue;
     const auto [cx, cy] = surface_->in_frame(frame + i, inner.b);
-    const double distance = label.distance + surface_->weight(inner.face) * std::hypot(cx, cy);
-    if (distance < way.distance) way = {distance, label.source, surface_->from(frame + i)};
+    const double distance = corner.distance + surface_->weight(inner.face) * std::hypot(cx, cy);
+    if (distance < way.distance) way = {distance, corner.source, surface_->from(frame + i)};
   }
   return way;
 }

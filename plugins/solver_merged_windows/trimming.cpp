@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/solver_merged_windows/trimming.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "plugins/common/exact/lower_envelope.hpp"
+#include "plugins/common/exact/ordered_row.hpp"
+
+namespace geodrome::merged_windows {
+namespace {
+
+/// Windows as a row that is trimmed.
+struct Row {
+  Window* windows;
+
+  double& low(std::size_t i) const { return windows[i].low; }
+  double& high(std::size_t i) const { return windows[i].high; }
+  const Window& image(std::size_t i) const { return windows[i]; }
+  void move(std::size_t from, std::size_t to) const { windows[to] = windows[from]; }
+};
+
+/// Windows as a list of pieces.
+struct Pieces {
+  std::span<const Window> windows;
+
+  std::size_t size() const { return windows.size(); }
+  double low(std::size_t i) const { return windows[i].low; }
+  double high(std::size_t i) const { return windows[i].high; }
+  const Window& image(std::size_t i) const { return windows[i]; }
+};
+
+}  // namespace
+
+void Trimming::trim(WindowList& list) {
+  const std::size_t end = trim_row(Row{list.data()}, list.size(), breaks_);
+  dropped_ += list.size() - end;
+  list.resize(end);
+}
+
+bool Trimming::append(WindowList& list, std::span<const Window> right) {
+  const std::size_t middle = list.size();
+  list.insert(list.end(), right.begin(), right.end());
+  const Seam seam = trim_seam(Row{list.data()}, middle, list.size());
+  if (!seam.in_order) {
+    list.resize(seam.left);
+    return false;
+  }
+  dropped_ += seam.right - seam.left;
+  list.erase(list.begin() + static_cast<std::ptrdiff_t>(seam.left),
+             list.begin() + static_cast<std::ptrdiff_t>(seam.right));
+  return true;
+}
+
+void Trimming::merge(WindowList& list, std::span<const Window> other) {
+  envelope_.clear();
+  lower_envelope(Pieces{list}, Pieces{other}, [this](const Pieces& of, std::size_t i, double low, double high) {
+    envelope_.push_back(of.image(i));
+    envelope_.back().low = low, envelope_.back().high = high;
+  });
+  const std::size_t before = list.size() + other.size();
+  dropped_ += before - std::min(before, envelope_.size());  // pieces hide some
+  std::swap(list, envelope_);
+}
+
+}  // namespace geodrome::merged_windows

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/solver_merged_windows/wavefront.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "plugins/common/exact/tolerances.hpp"
+
+namespace geodrome::merged_windows {
+namespace {
+
+/// No point of ordered windows has a lower L than this: L changes by at most the way along them.
+double least_value(std::span<const Window> run) {
+  const Window &first = run.front(), &last = run.back();
+  return std::max(0.0, 0.5 * (first.at(first.low) + last.at(last.high) - (last.high - first.low)));
+}
+
+}  // namespace
+
+void Wavefront::clear() {
+  while (!empty()) {
+    for (Index window = pop().window; window != no_index;) pool_.release(std::exchange(window, pool_[window].next));
+  }
+  queue_.clear();
+}
+
+Wavefront::Next Wavefront::pop() {
+  BucketQueue::Entry entry;
+  do entry = queue_.pop();
+  while (entry.key != slots_[entry.element].key);
+  queue_.for_each_of_the_next([&](Index soon) {
+    if (soon >= half_edges_) return;
+    const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
+    __builtin_prefetch(face), __builtin_prefetch(face + 64);
+    if (slots_[soon].first != no_index) __builtin_prefetch(&pool_[slots_[soon].first]);
+  });
+  --waiting_;
+  const Slot slot = std::exchange(slots_[entry.element], {});
+  if (entry.element >= half_edges_) return {no_index, no_index, entry.element - half_edges_};
+  return {entry.element, slot.first, no_index};
+}
+
+void Wavefront::wait(Index element, float key) {
+  Slot& slot = slots_[element];
+  waiting_ += slot.key == not_waiting;
+  if (!(key < slot.key)) return;
+  slot.key = key;
+  queue_.push(element, key);
+}
+
+std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double limit) {
+  if (run.empty()) return 0;
+  const double near = least_value(run), length = surface_.length(edge);
+  if (near * (1 - rounding_share) > limit) return 0;
+  std::size_t pushed = 0;
+  surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
+    chain(run, half_edge, mirrored, length);
+    wait(half_edge, key_of(near + patience * length));
+    pushed += run.size();
+  });
+  return pushed;
+}
+
+/// Puts a run before what waits at a half-edge.
+void Wavefront::chain(std::span<const Window> run, Index half_edge, bool mirrored, double length) {
+  Index next = slots_[half_edge].first;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    const Index place = pool_.add();
+    Window& window = pool_[place];
+    window = mirrored ? merged_windows::mirrored(run[i], length) : run[run.size() - 1 - i];
+    window.next = next;
+    window.ends_run = i == 0;
+    next = place;
+  }
+  slots_[half_edge].first = next;
+}
+
+}  // namespace geodrome::merged_windows

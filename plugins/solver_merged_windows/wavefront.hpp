@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "geodrome/solver_kit/packed_mesh.hpp"
+#include "plugins/solver_merged_windows/bucket_queue.hpp"
+#include "plugins/solver_merged_windows/window.hpp"
+
+namespace geodrome::merged_windows {
+
+/// What waits: windows at half-edges and vertices that are to emit, nearest first.
+class Wavefront {
+ public:
+  explicit Wavefront(const PackedMesh& surface)
+      : surface_(surface),
+        slots_(3 * surface.face_count() + surface.vertex_count()),
+        half_edges_(static_cast<Index>(3 * surface.face_count())) {}
+
+  /// Drops all that waits.
+  void clear();
+  bool empty() const { return waiting_ == 0; }
+
+  /// What left the queue: a half-edge with the first of its windows, which are the caller's now, or a vertex.
+  struct Next {
+    Index half_edge = no_index, window = no_index, vertex = no_index;
+  };
+  /// Precondition: not empty.
+  Next pop();
+
+  void push_vertex(Index vertex, double distance) { wait(half_edges_ + vertex, key_of(distance)); }
+
+  /// Lets windows, which are disjoint and ascend in the frame of a half-edge that runs against `edge`, wait at every
+  /// other half-edge on the edge. What is farther than `limit` everywhere is dropped. Returns how many windows wait.
+  std::size_t push_run(std::span<const Window> run, Index edge, double limit);
+
+  WindowPool& pool() { return pool_; }
+  std::size_t bytes() const { return pool_.bytes() + queue_.bytes() + slots_.capacity() * sizeof(Slot); }
+
+ private:
+  static constexpr float not_waiting = std::numeric_limits<float>::infinity();
+
+  struct Slot {
+    float key = not_waiting;  ///< of the entry in the queue that counts
+    Index first = no_index;
+  };
+
+  static float key_of(double distance) { return static_cast<float>(std::min(distance, 1e38)); }
+  void wait(Index element, float key);
+  void chain(std::span<const Window> run, Index half_edge, bool mirrored, double length);
+
+  const PackedMesh& surface_;
+  std::vector<Slot> slots_;  ///< half-edges, then vertices
+  Index half_edges_;
+  BucketQueue queue_;
+  WindowPool pool_;
+  std::size_t waiting_ = 0;  ///< elements
+};
+
+/// A window as seen from a half-edge that runs the other way along the same edge, `length` long.
+inline Window mirrored(const Window& window, double length) {
+  Window other = window;
+  other.x = length - window.x, other.low = length - window.high, other.high = length - window.low;
+  other.set_entry(geodrome::mirrored(window.entry()));
+  return other;
+}
+
+}  // namespace geodrome::merged_windows
