@@ -25,9 +25,10 @@ constexpr double no_gap = 1e-14;
 }  // namespace
 
 Merging::Ends Merging::ends_of(const Window& w) {
-  const double to_low = std::hypot(w.low - w.x, w.y), to_high = std::hypot(w.high - w.x, w.y);
-  return {w.sigma + to_low, w.sigma + to_high, to_low > 0 ? (w.low - w.x) / to_low : -1,
-          to_high > 0 ? (w.high - w.x) / to_high : 1};
+  const double low = w.low - w.x, high = w.high - w.x, h2 = w.y * w.y;
+  const double to_low = std::sqrt(low * low + h2), to_high = std::sqrt(high * high + h2);
+  return {w.sigma + to_low, w.sigma + to_high, to_low > 0 ? low / to_low : -1,
+          to_high > 0 ? high / to_high : 1};
 }
 
 bool Merging::touch(std::span<const Window> windows, std::size_t left, double length) const {
@@ -123,7 +124,9 @@ Merging::Fit Merging::settle(std::span<const Window> windows, const Ends* ends, 
       steepest = std::max(steepest, std::abs(slope_high));
     } else {
       continuous = continuous && std::abs(ends[i + 1].l_low - ends[i].l_high) <= equal_share * size;
-      l_low = merged.at(windows[i + 1].low), slope_low = slope_at(windows[i + 1].low, l_low);
+      const double next_low = windows[i + 1].low;
+      l_low = next_low == old.high ? l_high : merged.at(next_low);
+      slope_low = next_low == old.high ? slope_high : slope_at(next_low, l_low);
     }
   }
   slack += rounding_of_u * size;

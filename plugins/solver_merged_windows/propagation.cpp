@@ -249,6 +249,8 @@ void Propagation::lower_watched(Index half_edge) {
 /// right of it in order.
 Propagation::Split Propagation::split_at(const Apex& apex) const {
   const std::size_t count = list_.size();
+  if (count == 1)
+    return {has_right(apex, list_[0]) ? 0U : 1U, has_left(apex, list_[0]) ? 1U : 0U, 0, 0, 1, true};
   Split split{count, 0, 0, 0, 0, true};
   for (std::size_t i = 0; i < count; ++i) {
     const bool left = has_left(apex, list_[i]), right = has_right(apex, list_[i]);

@@ -33,6 +33,7 @@ struct Pieces {
 }  // namespace
 
 void Trimming::trim(WindowList& list) {
+  if (list.size() == 1 && !list[0].empty()) return breaks_.clear();
   const std::size_t end = trim_row(Row{list.data()}, list.size(), breaks_);
   dropped_ += list.size() - end;
   list.resize(end);
