@@ -11,15 +11,6 @@
 
 namespace geodrome::merged_windows {
 
-/// Returns how near a line through a point of a half-edge, inside the face below, lets the corner at that point be cut,
-/// as a share of the point's distance from the nearer end: the sine of the smaller angle of that face at the ends of
-/// the half-edge, with 1 for an obtuse one. Rounded down. 0 for a face without area.
-inline float mirror_sine(double cosine_1, double sine_1, double cosine_2, double sine_2) {
-  const double of_1 = cosine_1 <= 0 ? 1 : sine_1, of_2 = cosine_2 <= 0 ? 1 : sine_2;
-  const bool flat = !(sine_1 > 0 && sine_2 > 0);
-  return flat ? 0 : static_cast<float>((of_1 < of_2 ? of_1 : of_2) * (1 - 1e-7));
-}
-
 /// Makes neighbouring windows of a half-edge into one, so that L is nowhere higher than before and U nowhere lower, and
 /// the slack stays within `delta` times L. README.md proves that then every vertex v has a value l(v), the least L, with
 /// l(v) <= d(v) <= D(v) <= (1 + delta) l(v). One per thread.

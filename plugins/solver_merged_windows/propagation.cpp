@@ -12,6 +12,16 @@
 namespace geodrome::merged_windows {
 namespace {
 
+/// How near a line through a point of a half-edge, inside the face below, lets the corner at that point be cut, as a
+/// share of the point's distance from the nearer end: the sine of the smaller angle of that face at the ends of the
+/// half-edge, with 1 for an obtuse one. Rounded down. 0 for a face without area. The half-edge is on edge i of the face.
+float mirror_sine(const PackedMesh::Face& face, int i) {
+  const int j = (i + 1) % 3;
+  const double of_i = face.cosine[i] <= 0 ? 1 : face.sine[i], of_j = face.cosine[j] <= 0 ? 1 : face.sine[j];
+  const bool flat = !(face.sine[i] > 0 && face.sine[j] > 0);
+  return flat ? 0 : static_cast<float>((of_i < of_j ? of_i : of_j) * (1 - 1e-7));
+}
+
 /// A float that is not below a slack, nor below 0.
 float slack_of(double slack) { return slack > 0 ? static_cast<float>(slack * (1 + 1e-7)) : 0; }
 
@@ -76,12 +86,10 @@ void Propagation::offer_source(Index vertex, double distance, Index source) {
 /// A window straight from a source inside its face is never merged there: the source may be nearer than a corner that
 /// would have to be cut.
 void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double, Entry entry) {
-  const PackedMesh::Face& face = apex.face;
   Window window{apex.length - from.x, -from.y, from.sigma, 0, apex.length};
   const bool from_vertex = from.origin < surface_.vertex_count();
   window.slack = from_vertex ? slack_of(upper_[from.origin].distance - from.sigma) : 0;
-  window.sine = entry == Entry::loose ? 0 : mirror_sine(face.cosine[apex.a], face.sine[apex.a], face.cosine[apex.b],
-                                                        face.sine[apex.b]);
+  window.sine = entry == Entry::loose ? 0 : mirror_sine(apex.face, apex.a);
   window.origin = from.origin, window.parent = no_index;
   window.depth = 1;
   window.set_entry(entry);
@@ -173,13 +181,10 @@ void Propagation::pass(Index half_edge) {
   if (is_copy) return;
   if (depth >= 2 * deepest_merge_) return;  // a line that goes straight over as many faces as there are meets one twice
   for (Window& window : list_) window.depth = depth + 1;
-  const Split split = split_at(apex);
-  if (!split.in_order) return carry_one_by_one(apex);
-  lower_apex(apex, split);
-  const std::span<const Window> list(list_);
-  carry_left(apex, list.first(split.covered() ? split.last_best : split.left_end), split.right_begin);
-  const std::size_t first_right = split.covered() ? split.first_best : split.right_begin;
-  carry_right(apex, list.subspan(first_right), split.left_end - std::min(split.left_end, first_right));
+  if (list_.size() == 1)
+    cross_alone(apex, list_[0]);
+  else
+    cross(apex);
 }
 
 /// Xin and Wang's filter, and the trimming that follows from it: |image x| - x falls along the half-edge, so where the
@@ -187,6 +192,12 @@ void Propagation::pass(Index half_edge) {
 void Propagation::filter(const Apex& apex) {
   const double at_start = labels_.distance(apex.start()), at_end = labels_.distance(apex.end());
   const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
+  if (list_.size() == 1) {
+    const Window& w = list_[0];
+    if (longer(w.at(w.high), at_start + w.high) || longer(w.at(w.low), at_end + (apex.length - w.low)))
+      list_.clear(), ++counts_.filtered;
+    return;
+  }
   std::size_t first = 0, last = list_.size();
   while (first < last && longer(list_[first].at(list_[first].high), at_start + list_[first].high)) ++first;
   while (first < last && longer(list_[last - 1].at(list_[last - 1].low), at_end + (apex.length - list_[last - 1].low)))
@@ -245,12 +256,33 @@ void Propagation::lower_watched(Index half_edge) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Across a face
 
+/// What `cross` does, for a single window: most windows are alone.
+void Propagation::cross_alone(const Apex& apex, const Window& window) {
+  const bool left = has_left(apex, window), right = has_right(apex, window);
+  if (left && right)
+    lower_apex_straight(apex, window);
+  else
+    lower_apex_bent(apex, window, left ? window.high : window.low);
+  lower_along_edges(apex);
+  const Window present = window;  // what goes on at once may take its place
+  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, present, right), apex.left());
+  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, present, left), apex.right());
+}
+
+void Propagation::cross(const Apex& apex) {
+  const Split split = split_at(apex);
+  if (!split.in_order) return carry_one_by_one(apex);
+  lower_apex(apex, split);
+  const std::span<const Window> list(list_);
+  carry_left(apex, list.first(split.covered() ? split.last_best : split.left_end), split.right_begin);
+  const std::size_t first_right = split.covered() ? split.first_best : split.right_begin;
+  carry_right(apex, list.subspan(first_right), split.left_end - std::min(split.left_end, first_right));
+}
+
 /// Parts the list by the lines to the apex. Windows whose lines cross beyond the half-edge may not lie to the left and
 /// right of it in order.
 Propagation::Split Propagation::split_at(const Apex& apex) const {
   const std::size_t count = list_.size();
-  if (count == 1)
-    return {has_right(apex, list_[0]) ? 0U : 1U, has_left(apex, list_[0]) ? 1U : 0U, 0, 0, 1, true};
   Split split{count, 0, 0, 0, 0, true};
   for (std::size_t i = 0; i < count; ++i) {
     const bool left = has_left(apex, list_[i]), right = has_right(apex, list_[i]);
@@ -330,44 +362,50 @@ void Propagation::carry_one_by_one(const Apex& apex) {
   carry_right(apex, right, 0);
 }
 
-/// The lines to the left of the apex; windows from `clipped` on also have lines to the apex, or beyond it.
+/// The lines of a window to the left of the apex; with `clipped` it also has lines to the apex, or beyond it.
+Window Propagation::carried_left(const Apex& apex, const Window& window, bool clipped) const {
+  const Turn turn = turn_left(apex);
+  const TurnedImage<double> image(turn, window.x, window.y);
+  Window child = window;
+  child.x = image.x(), child.y = image.y();
+  child.low = image.low(window.low), child.high = clipped ? turn.limit : image.high(window.high);
+  child.sine = mirror_sine(apex.face, apex.c);
+  child.set_entry(Entry::left);
+  return child;
+}
+
+/// The lines to the right of the apex.
+Window Propagation::carried_right(const Apex& apex, const Window& window, bool clipped) const {
+  const Turn turn = turn_right(apex);
+  const TurnedImage<double> image(turn, window.x, window.y);
+  Window child = window;
+  child.x = image.x(), child.y = image.y();
+  child.low = clipped ? 0 : image.low(window.low), child.high = image.high(window.high);
+  child.sine = mirror_sine(apex.face, apex.b);
+  child.set_entry(Entry::right);
+  return child;
+}
+
+/// Windows from `clipped` on also have lines to the apex, or beyond it.
 void Propagation::carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
   if (windows.empty() || apex.left_is_boundary()) return;
-  const PackedMesh::Face& face = apex.face;
-  carry(windows, turn_left(apex), Entry::left,
-        mirror_sine(face.cosine[apex.a], face.sine[apex.a], face.cosine[apex.c], face.sine[apex.c]));
-  for (std::size_t i = clipped; i < child_.size(); ++i) child_[i].high = apex.left_length();
+  child_.clear();
+  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_left(apex, windows[i], i >= clipped));
   send(apex.left());
 }
 
-/// The lines to the right of the apex; windows before `clipped` also have lines to the apex, or beyond it.
+/// Windows before `clipped` also have lines to the apex, or beyond it.
 void Propagation::carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
   if (windows.empty() || apex.right_is_boundary()) return;
-  const PackedMesh::Face& face = apex.face;
-  carry(windows, turn_right(apex), Entry::right,
-        mirror_sine(face.cosine[apex.b], face.sine[apex.b], face.cosine[apex.c], face.sine[apex.c]));
-  for (std::size_t i = 0; i < std::min(clipped, child_.size()); ++i) child_[i].low = 0;
-  send(apex.right());
-}
-
-void Propagation::carry(std::span<const Window> windows, const Turn& turn, Entry entry, float sine) {
   child_.clear();
-  for (const Window& window : windows) {
-    const TurnedImage<double> image(turn, window.x, window.y);
-    child_.push_back(window);
-    Window& child = child_.back();
-    child.x = image.x(), child.y = image.y();
-    child.low = image.low(window.low), child.high = image.high(window.high);
-    child.sine = sine;
-    child.set_entry(entry);
-  }
+  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_right(apex, windows[i], i < clipped));
+  send(apex.right());
 }
 
 /// Trims the windows that left a face through half-edge `edge`, in the frame of the other side, and hands on what is
 /// left of them: what is behind a break waits as a run of its own.
 void Propagation::send(Index edge) {
-  const bool is_fan = surface_.is_fan(edge);
-  if (is_fan)  // windows of other faces come to the same half-edges
+  if (surface_.is_fan(edge))  // windows of other faces come to the same half-edges
     for (Window& window : child_) window.set_entry(Entry::loose);
   trimming_.trim(child_);
   if (trimming_.breaks().empty()) return hand_on(child_, edge);
@@ -378,6 +416,16 @@ void Propagation::send(Index edge) {
   for (auto first = breaks.rbegin(); first != breaks.rend(); end = *first++)
     hand_on(std::span(all).subspan(*first, end - *first), edge);
   hand_on(std::span(all).first(end), edge);
+}
+
+/// What `send` and `hand_on` do, for a single window at an edge of two faces.
+void Propagation::hand_on_alone(const Window& window, Index edge) {
+  if (!surface_.is_fan(edge) && !window.empty() && !is_close(window, surface_.length(edge))) {
+    counts_.created += wavefront_.push_alone(window, edge, limit_);
+    return;
+  }
+  child_.assign(1, window);
+  send(edge);
 }
 
 /// Lets a run wait at the other half-edges of an edge.

@@ -9,7 +9,6 @@
 #include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/fan_envelope.hpp"
-#include "plugins/common/exact/turn.hpp"
 #include "plugins/common/exact/vertex_propagation.hpp"
 #include "plugins/solver_merged_windows/kept_windows.hpp"
 #include "plugins/solver_merged_windows/merging.hpp"
@@ -100,6 +99,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void keep_list(Index half_edge);
   void lower_watched(Index half_edge);
 
+  void cross_alone(const Apex& apex, const Window& window);
+  void cross(const Apex& apex);
   Split split_at(const Apex& apex) const;
   void lower_apex(const Apex& apex, const Split& split);
   void lower_apex_straight(const Apex& apex, const Window& window);
@@ -110,8 +111,10 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void carry_one_by_one(const Apex& apex);
   void carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
   void carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
-  void carry(std::span<const Window> windows, const Turn& turn, Entry entry, float sine);
+  Window carried_left(const Apex& apex, const Window& window, bool clipped) const;
+  Window carried_right(const Apex& apex, const Window& window, bool clipped) const;
   void send(Index edge);
+  void hand_on_alone(const Window& window, Index edge);
   void hand_on(std::span<const Window> run, Index edge);
 
   Wavefront wavefront_;

@@ -43,14 +43,6 @@ Wavefront::Next Wavefront::pop() {
   return {entry.element, slot.first, no_index};
 }
 
-void Wavefront::wait(Index element, float key) {
-  Slot& slot = slots_[element];
-  waiting_ += slot.key == not_waiting;
-  if (!(key < slot.key)) return;
-  slot.key = key;
-  queue_.push(element, key);
-}
-
 std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double limit) {
   if (run.empty()) return 0;
   const double near = least_value(run), length = surface_.length(edge);
@@ -64,18 +56,27 @@ std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double 
   return pushed;
 }
 
+bool Wavefront::push_alone(const Window& window, Index edge, double limit) {
+  const double near = least_value({&window, 1});
+  if (near * (1 - rounding_share) > limit) return false;
+  const double length = surface_.length(edge);
+  surface_.for_each_across(edge, [&](Index half_edge, bool is_mirrored) {
+    const Index place = pool_.add();
+    pool_[place] = window;
+    if (is_mirrored) pool_[place] = mirrored(window, length);
+    put_first(place, half_edge, true);
+    wait(half_edge, key_of(near + patience * length));
+  });
+  return true;
+}
+
 /// Puts a run before what waits at a half-edge.
 void Wavefront::chain(std::span<const Window> run, Index half_edge, bool mirrored, double length) {
-  Index next = slots_[half_edge].first;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const Index place = pool_.add();
-    Window& window = pool_[place];
-    window = mirrored ? merged_windows::mirrored(run[i], length) : run[run.size() - 1 - i];
-    window.next = next;
-    window.ends_run = i == 0;
-    next = place;
+    pool_[place] = mirrored ? merged_windows::mirrored(run[i], length) : run[run.size() - 1 - i];
+    put_first(place, half_edge, i == 0);
   }
-  slots_[half_edge].first = next;
 }
 
 }  // namespace geodrome::merged_windows

@@ -38,6 +38,9 @@ class Wavefront {
   /// other half-edge on the edge. What is farther than `limit` everywhere is dropped. Returns how many windows wait.
   std::size_t push_run(std::span<const Window> run, Index edge, double limit);
 
+  /// The same for one window, at an edge of at most two faces. False if it was dropped.
+  bool push_alone(const Window& window, Index edge, double limit);
+
   WindowPool& pool() { return pool_; }
   std::size_t bytes() const { return pool_.bytes() + queue_.bytes() + slots_.capacity() * sizeof(Slot); }
 
@@ -50,7 +53,18 @@ class Wavefront {
   };
 
   static float key_of(double distance) { return static_cast<float>(std::min(distance, 1e38)); }
-  void wait(Index element, float key);
+  void put_first(Index window, Index half_edge, bool ends_run) {
+    pool_[window].next = slots_[half_edge].first;
+    pool_[window].ends_run = ends_run;
+    slots_[half_edge].first = window;
+  }
+  void wait(Index element, float key) {
+    Slot& slot = slots_[element];
+    waiting_ += slot.key == not_waiting;
+    if (!(key < slot.key)) return;
+    slot.key = key;
+    queue_.push(element, key);
+  }
   void chain(std::span<const Window> run, Index half_edge, bool mirrored, double length);
 
   const PackedMesh& surface_;
