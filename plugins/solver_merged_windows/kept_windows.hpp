@@ -14,8 +14,7 @@ namespace geodrome::merged_windows {
 
 /// A window that was carried on, or one that was merged into such a window.
 struct KeptWindow {
-  double x, y, sigma, low, high;
-  float slack;
+  double x, y, sigma, low, high, slack;
   Index origin;
   /// The kept window it came from, no_index if it came from its pseudo-source. Of a merged window: the first of those
   /// that it was made of, which are at the same half-edge.

@@ -31,12 +31,12 @@ Merging::Ends Merging::ends_of(const Window& w) {
           to_high > 0 ? high / to_high : 1};
 }
 
-bool Merging::touch(std::span<const Window> windows, std::size_t left, double length) const {
-  const Window &a = windows[left], &b = windows[left + 1];
-  return std::min(a.sine, b.sine) > 0 && std::abs(b.low - a.high) <= no_gap * length;
+/// A source inside the face below may be nearer than a corner that would have to be cut.
+bool Merging::touch(const Window& left, const Window& right, const Edge& edge) {
+  return !left.from_face_below && !right.from_face_below && std::abs(right.low - left.high) <= no_gap * edge.length;
 }
 
-void Merging::part(std::span<const Window> windows, double length) {
+void Merging::part(std::span<const Window> windows, const Edge& edge) {
   groups_.clear();
   for (std::size_t first = 0, most = windows.size(); first < windows.size();) {
     std::size_t count = 1;
@@ -44,7 +44,7 @@ void Merging::part(std::span<const Window> windows, double length) {
     groups_.push_back({first, first + 1, windows[first]});
     for (; count > 1; count /= 2) {
       ++counts_.tried;
-      const auto window = merged(windows.subspan(first, count), &ends_[first], length);
+      const auto window = merged(windows.subspan(first, count), &ends_[first], edge);
       if (!window) continue;
       ++counts_.done;
       groups_.back() = {first, first + count, *window};
@@ -57,13 +57,13 @@ void Merging::part(std::span<const Window> windows, double length) {
 
 /// L of the merged window is that of the old ones at both ends of the group. That leaves one parameter, the distance r
 /// of its image from the low end: the smaller r, the more its lines spread and the lower L is in between.
-std::optional<Window> Merging::merged(std::span<const Window> windows, const Ends* ends, double length) const {
+std::optional<Window> Merging::merged(std::span<const Window> windows, const Ends* ends, const Edge& edge) const {
   const Ends &first = ends[0], &last = ends[windows.size() - 1];
   const double low = windows.front().low, high = windows.back().high, width = high - low;
   const double rise = last.l_high - first.l_low, spread = width * width - rise * rise;
   if (!(spread > 1e-12 * width * width)) return {};  // lines along the half-edge
 
-  float slack = 0;
+  double slack = 0;
   double kinks = 0;  // about what the group costs
   for (std::size_t i = 0; i < windows.size(); ++i) {
     slack = std::max(slack, windows[i].slack);
@@ -74,7 +74,7 @@ std::optional<Window> Merging::merged(std::span<const Window> windows, const End
   const double most = delta_ * 0.5 * (first.l_low + last.l_high - width);
   if (!(slack + 0.4 * kinks / width <= slack + share_of_slack * (most - slack))) return {};
 
-  double r = farthest_image * (length + first.l_low);
+  double r = farthest_image * (edge.length + first.l_low);
   const double below_first = rise - first.slope_low * width, above_last = last.slope_high * width - rise;
   if (below_first > 0) r = std::min(r, 0.5 * spread / below_first);
   if (above_last > 0) r = std::min(r, 0.5 * spread / above_last - rise);
@@ -84,7 +84,7 @@ std::optional<Window> Merging::merged(std::span<const Window> windows, const End
     Window window = windows.front();
     window.high = high;
     window.x = low - r * slope, window.y = -r * std::sqrt(1 - slope * slope), window.sigma = first.l_low - r;
-    const Fit fit = settle(windows, ends, length, window);
+    const Fit fit = settle(windows, ends, edge, window);
     if (fit == Fit::fits) return window;
     if (fit == Fit::costly) return {};
   }
@@ -94,14 +94,13 @@ std::optional<Window> Merging::merged(std::span<const Window> windows, const End
 /// Checks a merged window against the old ones, and gives it its slack: wherever L is changed, U stays what it was at
 /// least. L of an old window less L of the merged one is extreme at the ends of a piece and where the line through both
 /// images meets the half-edge.
-Merging::Fit Merging::settle(std::span<const Window> windows, const Ends* ends, double length, Window& merged) const {
+Merging::Fit Merging::settle(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& merged) const {
   const double low = merged.low, high = merged.high, r = ends[0].l_low - merged.sigma;
   const double size = ends[0].l_low + r, noise = rounding_of_l * size;
   const auto slope_at = [&](double place, double l) { return (place - merged.x) / (l - merged.sigma); };
   double l_low = ends[0].l_low, slope_low = slope_at(low, l_low);
   double slack = 0, most_drop = 0, most_turn = 0, steepest = std::abs(slope_low);
   bool continuous = true;
-  float sine = merged.sine;
   for (std::size_t i = 0; i < windows.size(); ++i) {
     const Window& old = windows[i];
     const bool is_last = i + 1 == windows.size();
@@ -119,7 +118,6 @@ Merging::Fit Merging::settle(std::span<const Window> windows, const Ends* ends, 
     most_turn = std::max({most_turn, ends[i].slope_high - slope_low, slope_low - ends[i].slope_high,
                           slope_high - ends[i].slope_low, ends[i].slope_low - slope_high});
     steepest = std::max({steepest, std::abs(ends[i].slope_low), std::abs(ends[i].slope_high)});
-    sine = std::min(sine, old.sine);
     if (is_last) {
       steepest = std::max(steepest, std::abs(slope_high));
     } else {
@@ -130,13 +128,13 @@ Merging::Fit Merging::settle(std::span<const Window> windows, const Ends* ends, 
     }
   }
   slack += rounding_of_u * size;
-  float most_slack = 0;
+  double most_slack = 0;
   for (const Window& old : windows) most_slack = std::max(most_slack, old.slack);
   const double allowed = delta_ * 0.5 * (ends[0].l_low + ends[windows.size() - 1].l_high - (high - low));
   if (!(slack <= most_slack + share_of_slack * (allowed - most_slack))) return Fit::costly;
-  const double room = sine * (1 - steepest * steepest);
-  if (!(continuous && most_turn <= room) && !(most_drop <= room * std::min(low, length - high))) return Fit::costly;
-  merged.slack = static_cast<float>(slack * (1 + 1e-7)), merged.sine = sine;
+  const double room = edge.sine * (1 - steepest * steepest);
+  if (!(continuous && most_turn <= room) && !(most_drop <= room * std::min(low, edge.length - high))) return Fit::costly;
+  merged.slack = slack;
   return Fit::fits;
 }
 

@@ -28,16 +28,23 @@ class Merging {
     Window window;            ///< that of `first` where last == first + 1
   };
 
-  /// Parts the ordered, disjoint windows of a half-edge `length` long into groups, each as long as it can be. Two
-  /// neighbours get into one group only if `may_join(left, right)`. The groups are valid until the next call. O(n).
+  /// A half-edge, and how near a line through a point of it, inside the face below, lets the corner at that point be
+  /// cut, as a share of the point's distance from the nearer end: the sine of the smaller angle of that face at the ends
+  /// of the half-edge, with 1 for an obtuse one.
+  struct Edge {
+    double length, sine;
+  };
+
+  /// Parts the ordered, disjoint windows of a half-edge into groups, each as long as it can be. Two neighbours get into
+  /// one group only if `may_join(left, right)`. The groups are valid until the next call. O(n).
   template <class MayJoin>
-  std::span<const Group> group(std::span<const Window> windows, double length, MayJoin&& may_join) {
+  std::span<const Group> group(std::span<const Window> windows, const Edge& edge, MayJoin&& may_join) {
     ends_.clear();
     for (std::size_t i = 0; i < windows.size(); ++i) {
       ends_.push_back(ends_of(windows[i]));
-      if (i > 0) ends_[i - 1].joins_next = touch(windows, i - 1, length) && may_join(windows[i - 1], windows[i]);
+      if (i > 0) ends_[i - 1].joins_next = touch(windows[i - 1], windows[i], edge) && may_join(windows[i - 1], windows[i]);
     }
-    part(windows, length);
+    part(windows, edge);
     return groups_;
   }
 
@@ -54,10 +61,10 @@ class Merging {
   enum class Fit { fits, above, costly };
 
   static Ends ends_of(const Window& window);
-  bool touch(std::span<const Window> windows, std::size_t left, double length) const;
-  void part(std::span<const Window> windows, double length);
-  std::optional<Window> merged(std::span<const Window> windows, const Ends* ends, double length) const;
-  Fit settle(std::span<const Window> windows, const Ends* ends, double length, Window& merged) const;
+  static bool touch(const Window& left, const Window& right, const Edge& edge);
+  void part(std::span<const Window> windows, const Edge& edge);
+  std::optional<Window> merged(std::span<const Window> windows, const Ends* ends, const Edge& edge) const;
+  Fit settle(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& merged) const;
 
   double delta_;
   std::vector<Ends> ends_;

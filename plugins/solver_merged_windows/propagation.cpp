@@ -14,16 +14,13 @@ namespace {
 
 /// How near a line through a point of a half-edge, inside the face below, lets the corner at that point be cut, as a
 /// share of the point's distance from the nearer end: the sine of the smaller angle of that face at the ends of the
-/// half-edge, with 1 for an obtuse one. Rounded down. 0 for a face without area. The half-edge is on edge i of the face.
-float mirror_sine(const PackedMesh::Face& face, int i) {
+/// half-edge, with 1 for an obtuse one. 0 for a face without area. The half-edge is on edge i of the face.
+double mirror_sine(const PackedMesh::Face& face, int i) {
   const int j = (i + 1) % 3;
   const double of_i = face.cosine[i] <= 0 ? 1 : face.sine[i], of_j = face.cosine[j] <= 0 ? 1 : face.sine[j];
   const bool flat = !(face.sine[i] > 0 && face.sine[j] > 0);
-  return flat ? 0 : static_cast<float>((of_i < of_j ? of_i : of_j) * (1 - 1e-7));
+  return flat ? 0 : std::min(of_i, of_j);
 }
-
-/// A float that is not below a slack, nor below 0.
-float slack_of(double slack) { return slack > 0 ? static_cast<float>(slack * (1 + 1e-7)) : 0; }
 
 bool has_left(const Apex& apex, const Window& w) { return side_of_line(w.x, w.y, w.low, apex.x, apex.y) < 0; }
 bool has_right(const Apex& apex, const Window& w) { return side_of_line(w.x, w.y, w.high, apex.x, apex.y) > 0; }
@@ -83,15 +80,12 @@ void Propagation::offer_source(Index vertex, double distance, Index source) {
   upper_.offer(vertex, {distance, source}, {.vertex = vertex});
 }
 
-/// A window straight from a source inside its face is never merged there: the source may be nearer than a corner that
-/// would have to be cut.
 void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double, Entry entry) {
   Window window{apex.length - from.x, -from.y, from.sigma, 0, apex.length};
   const bool from_vertex = from.origin < surface_.vertex_count();
-  window.slack = from_vertex ? slack_of(upper_[from.origin].distance - from.sigma) : 0;
-  window.sine = entry == Entry::loose ? 0 : mirror_sine(apex.face, apex.a);
+  window.slack = from_vertex ? upper_[from.origin].distance - from.sigma : 0;
   window.origin = from.origin, window.parent = no_index;
-  window.depth = 1;
+  window.depth = 1, window.from_face_below = entry == Entry::loose;
   window.set_entry(entry);
   hand_on({&window, 1}, apex.half_edge);
 }
@@ -212,9 +206,18 @@ bool Propagation::same_source(const Window& a, const Window& b) const {
   return one_source_ || a.origin == b.origin || source_of(a.origin) == source_of(b.origin);
 }
 
+/// mirror_sine of a half-edge, seen from the face below it.
+double Propagation::sine_below(Index half_edge) const {
+  double sine = 1;
+  surface_.for_each_across(half_edge, [&](Index other, bool) {
+    sine = std::min(sine, mirror_sine(surface_.face_of(other), static_cast<int>(other % 3)));
+  });
+  return sine;
+}
+
 /// Puts merged windows in the place of those of the list, and keeps both if anything is to be kept.
 void Propagation::merge(const Apex& apex) {
-  const auto groups = merging_.group(list_, apex.length,
+  const auto groups = merging_.group(list_, {apex.length, sine_below(apex.half_edge)},
                                      [this](const Window& a, const Window& b) { return same_source(a, b); });
   if (keep_) {
     kept_.begin_pass(apex.half_edge);
@@ -369,7 +372,7 @@ Window Propagation::carried_left(const Apex& apex, const Window& window, bool cl
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = image.low(window.low), child.high = clipped ? turn.limit : image.high(window.high);
-  child.sine = mirror_sine(apex.face, apex.c);
+  child.from_face_below = false;
   child.set_entry(Entry::left);
   return child;
 }
@@ -381,7 +384,7 @@ Window Propagation::carried_right(const Apex& apex, const Window& window, bool c
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = clipped ? 0 : image.low(window.low), child.high = image.high(window.high);
-  child.sine = mirror_sine(apex.face, apex.b);
+  child.from_face_below = false;
   child.set_entry(Entry::right);
   return child;
 }

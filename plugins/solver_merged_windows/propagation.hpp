@@ -95,6 +95,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void list_parts(std::span<const Window> windows);
   void pass(Index half_edge);
   void filter(const Apex& apex);
+  double sine_below(Index half_edge) const;
   void merge(const Apex& apex);
   void keep_list(Index half_edge);
   void lower_watched(Index half_edge);

@@ -21,14 +21,14 @@ namespace geodrome::merged_windows {
 /// The image of a window that was never merged is a pseudo-source, unfolded. One cache line.
 struct alignas(64) Window {
   double x, y, sigma, low, high;
-  float slack;          ///< >= 0
-  float sine;           ///< mirror_sine of the half-edge, seen from the face below; 0 forbids to merge
-  Index origin;         ///< a vertex, or `vertex count + i` for source i of the request
-  Index parent;         ///< number of the kept window it came from, no_index if it came from its pseudo-source
-  Index next;           ///< in a chain of waiting windows
-  std::uint32_t depth : 28;     ///< faces crossed since the pseudo-source, at least; at most `deepest`
-  std::uint32_t entry_bits : 2;  ///< `entry`
-  std::uint32_t ends_run : 1;  ///< in a chain: what follows is in no order with the windows up to this one
+  double slack;                       ///< >= 0
+  Index origin;                       ///< a vertex, or `vertex count + i` for source i of the request
+  Index parent;                       ///< number of the kept window it came from, no_index if from its pseudo-source
+  Index next;                         ///< in a chain of waiting windows
+  std::uint32_t depth : 28;           ///< faces crossed since the pseudo-source, at least; at most `deepest`
+  std::uint32_t entry_bits : 2;       ///< `entry`
+  std::uint32_t ends_run : 1;         ///< in a chain: what follows is in no order with the windows up to this one
+  std::uint32_t from_face_below : 1;  ///< its source lies inside the face below
 
   static constexpr std::uint32_t deepest = (1U << 28) - 1;
 

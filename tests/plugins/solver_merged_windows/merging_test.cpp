@@ -17,7 +17,7 @@ using shapes::Random;
 
 struct Scene {
   std::vector<Window> windows;
-  double delta;
+  double delta, sine;
 };
 
 /// Windows of which each begins where the one before it ends, with the same L there; images around one place, as after
@@ -30,13 +30,12 @@ Scene random_scene(Random& random) {
   for (std::size_t i = 1; i < count; ++i) places.push_back(random.uniform(places[0], places[1]));
   std::sort(places.begin(), places.end());
   const double x = random.uniform(-away, away), y = -away * random.uniform(0.05, 1);
-  Scene scene{{}, std::pow(10, random.uniform(-5, -0.3))};
+  Scene scene{{}, std::pow(10, random.uniform(-5, -0.3)), random.uniform(0.1, 1)};
   for (std::size_t i = 0; i < count; ++i) {
     Window window{x + away * spread * random.normal(), std::min(-1e-3, y + away * spread * random.normal()),
                   random.index(2) * random.uniform(0, away), places[i], places[i + 1]};
     if (i > 0) window.sigma += scene.windows[i - 1].at(window.low) - window.at(window.low);
-    window.slack = static_cast<float>(random.index(2) * random.uniform(0, 0.6) * scene.delta * window.at(window.low));
-    window.sine = static_cast<float>(random.uniform(0.1, 1));
+    window.slack = random.index(2) * random.uniform(0, 0.6) * scene.delta * window.at(window.low);
     window.origin = 1, window.parent = no_index;
     scene.windows.push_back(window);
   }
@@ -71,7 +70,7 @@ void expect_sound(const Scene& scene, const Merging::Group& group) {
       EXPECT_LE(merged.slack, scene.delta * l);
       // A mirror: a path back into the face below is shorter if it cuts the corner at x.
       const double m = std::max(std::abs(slope(merged, x)), std::abs(slope(old, x)));
-      EXPECT_LE(drop, old.sine * std::min(x, 1 - x) * (1 - m * m) + 2 * noise);
+      EXPECT_LE(drop, scene.sine * std::min(x, 1 - x) * (1 - m * m) + 2 * noise);
     }
   }
 }
@@ -82,7 +81,7 @@ TEST(Merging, LowersLAndPaysForIt) {
   for (int i = 0; i < 20000; ++i) {
     const Scene scene = random_scene(random);
     Merging merging(scene.delta);
-    const auto groups = merging.group(scene.windows, 1, [](const Window&, const Window&) { return true; });
+    const auto groups = merging.group(scene.windows, {1, scene.sine}, [](const Window&, const Window&) { return true; });
     std::size_t next = 0;
     for (const Merging::Group& group : groups) {
       ASSERT_EQ(group.first, next);
@@ -100,26 +99,26 @@ TEST(Merging, LowersLAndPaysForIt) {
 
 /// The two sides of a vertex just passed: one image, cut in two.
 TEST(Merging, MakesOneOfTheHalvesOfAWindow) {
-  const Window whole{0.4, -7, 2, 0, 1, 0, 0.8F, 1, no_index, no_index};
+  const Window whole{0.4, -7, 2, 0, 1, 0, 1, no_index, no_index};
   std::vector<Window> halves{whole, whole};
   halves[0].high = halves[1].low = 0.3;
   Merging merging(1e-6);
-  const auto groups = merging.group(halves, 1, [](const Window&, const Window&) { return true; });
+  const auto groups = merging.group(halves, {1, 0.8}, [](const Window&, const Window&) { return true; });
   ASSERT_EQ(groups.size(), 1u);
   for (const double x : places_of(whole)) EXPECT_NEAR(groups[0].window.at(x), whole.at(x), 1e-12);
 }
 
 TEST(Merging, KeepsApartWhatMayNotJoin) {
-  const Window whole{0.4, -7, 2, 0, 1, 0, 0.8F, 1, no_index, no_index};
+  const Window whole{0.4, -7, 2, 0, 1, 0, 1, no_index, no_index};
   std::vector<Window> halves{whole, whole};
   halves[0].high = halves[1].low = 0.3;
   Merging merging(1e-2);
-  EXPECT_EQ(merging.group(halves, 1, [](const Window&, const Window&) { return false; }).size(), 2u);
+  EXPECT_EQ(merging.group(halves, {1, 0.8}, [](const Window&, const Window&) { return false; }).size(), 2u);
   const auto always = [](const Window&, const Window&) { return true; };
   halves[1].low = 0.3 + 1e-9;  // a gap
-  EXPECT_EQ(merging.group(halves, 1, always).size(), 2u);
-  halves[1].low = 0.3, halves[1].sine = 0;  // straight from a source in the face below
-  EXPECT_EQ(merging.group(halves, 1, always).size(), 2u);
+  EXPECT_EQ(merging.group(halves, {1, 0.8}, always).size(), 2u);
+  halves[1].low = 0.3, halves[1].from_face_below = true;
+  EXPECT_EQ(merging.group(halves, {1, 0.8}, always).size(), 2u);
 }
 
 }  // namespace
