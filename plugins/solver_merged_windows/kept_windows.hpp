@@ -17,9 +17,8 @@ struct KeptWindow {
   double x, y, sigma, low, high, slack;
   Index origin;
   /// The kept window it came from, no_index if it came from its pseudo-source. Of a merged window: the first of those
-  /// that it was made of, which are at the same half-edge.
+  /// that it was made of, which are at the same half-edge and follow each other.
   Index parent;
-  Index made_of;  ///< how many; 0 if it was not merged
 
   double to(double px, double py) const { return sigma + std::sqrt((px - x) * (px - x) + (py - y) * (py - y)); }
 };
@@ -46,7 +45,7 @@ class KeptWindows {
   }
   void carried_from_here() { passes_.back().first_carried = static_cast<Index>(size_); }
   /// Returns its number. Throws std::length_error when the numbers are used up.
-  Index add(const Window& window, Index made_of);
+  Index add(const Window& window);
 
   const KeptWindow& operator[](Index window) const { return pages_[window / page_size][window % page_size]; }
   Index half_edge_of(Index window) const {

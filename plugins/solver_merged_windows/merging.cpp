@@ -24,11 +24,14 @@ constexpr double no_gap = 1e-14;
 
 }  // namespace
 
-Merging::Ends Merging::ends_of(const Window& w) {
-  const double low = w.low - w.x, high = w.high - w.x, h2 = w.y * w.y;
-  const double to_low = std::sqrt(low * low + h2), to_high = std::sqrt(high * high + h2);
-  return {w.sigma + to_low, w.sigma + to_high, to_low > 0 ? low / to_low : -1,
-          to_high > 0 ? high / to_high : 1};
+void Merging::list_ends(std::span<const Window> windows) {
+  ends_.resize(windows.size());
+  for (std::size_t i = 0; i < windows.size(); ++i) {
+    const Window& w = windows[i];
+    const double low = w.low - w.x, high = w.high - w.x, h2 = w.y * w.y;
+    const double to_low = std::sqrt(low * low + h2), to_high = std::sqrt(high * high + h2);
+    ends_[i] = {w.sigma + to_low, w.sigma + to_high, to_low > 0 ? low / to_low : -1, to_high > 0 ? high / to_high : 1};
+  }
 }
 
 /// A source inside the face below may be nearer than a corner that would have to be cut.
@@ -36,32 +39,28 @@ bool Merging::touch(const Window& left, const Window& right, const Edge& edge) {
   return !left.from_face_below && !right.from_face_below && std::abs(right.low - left.high) <= no_gap * edge.length;
 }
 
-void Merging::part(std::span<const Window> windows, const Edge& edge) {
-  groups_.clear();
-  for (std::size_t first = 0, most = windows.size(); first < windows.size();) {
-    std::size_t count = 1;
-    while (first + count < windows.size() && count < most && ends_[first + count - 1].joins_next) ++count;
-    groups_.push_back({first, first + 1, windows[first]});
-    for (; count > 1; count /= 2) {
-      ++counts_.tried;
-      const auto window = merged(windows.subspan(first, count), &ends_[first], edge);
-      if (!window) continue;
-      ++counts_.done;
-      groups_.back() = {first, first + count, *window};
-      break;
-    }
-    first = groups_.back().last;
-    most = 2 * count;
+/// Finds the end of the longest group of at most `most` windows from `first` on that become one, `window`; first + 1 if
+/// there is none.
+std::size_t Merging::group_from(std::span<const Window> windows, std::size_t first, std::size_t most, const Edge& edge,
+                                Window& window) {
+  std::size_t count = 1;
+  while (first + count < windows.size() && count < most && ends_[first + count - 1].joins_next) ++count;
+  for (; count > 1; count /= 2) {
+    ++counts_.tried;
+    if (!merged(windows.subspan(first, count), &ends_[first], edge, window)) continue;
+    ++counts_.done;
+    break;
   }
+  return first + count;
 }
 
 /// L of the merged window is that of the old ones at both ends of the group. That leaves one parameter, the distance r
 /// of its image from the low end: the smaller r, the more its lines spread and the lower L is in between.
-std::optional<Window> Merging::merged(std::span<const Window> windows, const Ends* ends, const Edge& edge) const {
+bool Merging::merged(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& window) const {
   const Ends &first = ends[0], &last = ends[windows.size() - 1];
   const double low = windows.front().low, high = windows.back().high, width = high - low;
   const double rise = last.l_high - first.l_low, spread = width * width - rise * rise;
-  if (!(spread > 1e-12 * width * width)) return {};  // lines along the half-edge
+  if (!(spread > 1e-12 * width * width)) return false;  // lines along the half-edge
 
   double slack = 0;
   double kinks = 0;  // about what the group costs
@@ -72,7 +71,7 @@ std::optional<Window> Merging::merged(std::span<const Window> windows, const End
     kinks += std::abs(ends[i - 1].slope_high - ends[i].slope_low) * (place - low) * (high - place);
   }
   const double most = delta_ * 0.5 * (first.l_low + last.l_high - width);
-  if (!(slack + 0.4 * kinks / width <= slack + share_of_slack * (most - slack))) return {};
+  if (!(slack + 0.4 * kinks / width <= slack + share_of_slack * (most - slack))) return false;
 
   double r = farthest_image * (edge.length + first.l_low);
   const double below_first = rise - first.slope_low * width, above_last = last.slope_high * width - rise;
@@ -80,15 +79,15 @@ std::optional<Window> Merging::merged(std::span<const Window> windows, const End
   if (above_last > 0) r = std::min(r, 0.5 * spread / above_last - rise);
   for (int tries = 0; tries < most_tries; ++tries, r *= nearer_image) {
     const double slope = (rise - 0.5 * spread / r) / width;
-    if (!(r > 0 && r + rise > 0 && std::abs(slope) < 1)) return {};
-    Window window = windows.front();
+    if (!(r > 0 && r + rise > 0 && std::abs(slope) < 1)) return false;
+    window = windows.front();
     window.high = high;
     window.x = low - r * slope, window.y = -r * std::sqrt(1 - slope * slope), window.sigma = first.l_low - r;
     const Fit fit = settle(windows, ends, edge, window);
-    if (fit == Fit::fits) return window;
-    if (fit == Fit::costly) return {};
+    if (fit == Fit::fits) return true;
+    if (fit == Fit::costly) return false;
   }
-  return {};
+  return false;
 }
 
 /// Checks a merged window against the old ones, and gives it its slack: wherever L is changed, U stays what it was at

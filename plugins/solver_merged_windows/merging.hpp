@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -22,12 +21,6 @@ class Merging {
 
   explicit Merging(double delta) : delta_(delta) {}
 
-  /// Where a merged window begins and ends among the windows that were given.
-  struct Group {
-    std::size_t first, last;  ///< [first, last)
-    Window window;            ///< that of `first` where last == first + 1
-  };
-
   /// A half-edge, and how near a line through a point of it, inside the face below, lets the corner at that point be
   /// cut, as a share of the point's distance from the nearer end: the sine of the smaller angle of that face at the ends
   /// of the half-edge, with 1 for an obtuse one.
@@ -35,22 +28,29 @@ class Merging {
     double length, sine;
   };
 
-  /// Parts the ordered, disjoint windows of a half-edge into groups, each as long as it can be. Two neighbours get into
-  /// one group only if `may_join(left, right)`. The groups are valid until the next call. O(n).
-  template <class MayJoin>
-  std::span<const Group> group(std::span<const Window> windows, const Edge& edge, MayJoin&& may_join) {
-    ends_.clear();
-    for (std::size_t i = 0; i < windows.size(); ++i) {
-      ends_.push_back(ends_of(windows[i]));
-      if (i > 0) ends_[i - 1].joins_next = touch(windows[i - 1], windows[i], edge) && may_join(windows[i - 1], windows[i]);
+  /// Parts the ordered, disjoint windows of a half-edge into groups, each as long as it can be, and puts one window in
+  /// the place of each. Two neighbours get into one group only if `may_join(left, right)`. Windows [first, last) that
+  /// become one are told before: `on_merge(first, last)` returns the parent of that one. O(n).
+  template <class MayJoin, class OnMerge>
+  void merge(std::vector<Window>& windows, const Edge& edge, MayJoin&& may_join, OnMerge&& on_merge) {
+    list_ends(windows);
+    for (std::size_t i = 0; i + 1 < windows.size(); ++i)
+      ends_[i].joins_next = touch(windows[i], windows[i + 1], edge) && may_join(windows[i], windows[i + 1]);
+    std::size_t done = 0;
+    for (std::size_t first = 0, most = windows.size(); first < windows.size();) {
+      Window window;
+      const std::size_t last = group_from(windows, first, most, edge, window);
+      if (last > first + 1) window.parent = on_merge(first, last);
+      windows[done++] = last > first + 1 ? window : windows[first];
+      most = 2 * (last - first);
+      first = last;
     }
-    part(windows, edge);
-    return groups_;
+    windows.resize(done);
   }
 
   const Counts& counts() const { return counts_; }
   void reset() { counts_ = {}; }
-  std::size_t bytes() const { return groups_.capacity() * sizeof(Group) + ends_.capacity() * sizeof(Ends); }
+  std::size_t bytes() const { return ends_.capacity() * sizeof(Ends); }
 
  private:
   /// Of a window: L and its slope along the half-edge at both ends.
@@ -60,15 +60,15 @@ class Merging {
   };
   enum class Fit { fits, above, costly };
 
-  static Ends ends_of(const Window& window);
+  void list_ends(std::span<const Window> windows);
   static bool touch(const Window& left, const Window& right, const Edge& edge);
-  void part(std::span<const Window> windows, const Edge& edge);
-  std::optional<Window> merged(std::span<const Window> windows, const Ends* ends, const Edge& edge) const;
+  std::size_t group_from(std::span<const Window> windows, std::size_t first, std::size_t most, const Edge& edge,
+                         Window& window);
+  bool merged(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& window) const;
   Fit settle(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& merged) const;
 
   double delta_;
   std::vector<Ends> ends_;
-  std::vector<Group> groups_;
   Counts counts_;
 };
 

@@ -37,7 +37,7 @@ Index PathTracer::through(Index window, double x, double y) {
     const double place = climb > 0 ? w.x + (x - w.x) * (-w.y / climb) : x;
     const double crossed = std::clamp(place, w.low, w.high);
     out_.push_back(surface_.original(surface_.point_on(half_edge, crossed)));
-    const KeptWindow& old = kept_[unmerged(window, crossed)];
+    const KeptWindow& old = kept_[unmerged(window, half_edge, crossed)];
     if (old.parent == no_index) return old.origin < surface_.vertex_count() ? old.origin : no_index;
     std::tie(x, y) = on_face_below(surface_, half_edge, crossed, kept_.half_edge_of(old.parent));
     window = old.parent;
@@ -45,11 +45,10 @@ Index PathTracer::through(Index window, double x, double y) {
 }
 
 /// Of the windows that were merged into this one, if any were, the one that has a place of the half-edge.
-Index PathTracer::unmerged(Index window, double place) const {
-  const KeptWindow& merged = kept_[window];
-  if (merged.made_of == 0) return window;
-  Index old = merged.parent;
-  while (old + 1 < merged.parent + merged.made_of && kept_[old].high < place) ++old;
+Index PathTracer::unmerged(Index window, Index half_edge, double place) const {
+  Index old = kept_[window].parent;
+  if (old == no_index || kept_.half_edge_of(old) != half_edge) return window;
+  while (kept_[old].high < place) ++old;
   return old;
 }
 

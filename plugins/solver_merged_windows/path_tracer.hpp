@@ -26,7 +26,7 @@ class PathTracer {
 
  private:
   Index through(Index window, double x, double y);
-  Index unmerged(Index window, double place) const;
+  Index unmerged(Index window, Index half_edge, double place) const;
 
   const PackedMesh& surface_;
   const UpperBounds& upper_;

@@ -106,31 +106,38 @@ void Propagation::process(Index half_edge, Index window) {
 
 /// Several windows: one run of each entry in their order, the others merged into them.
 void Propagation::gather(Index window) {
+  const std::uint32_t depth = take_runs(window);
+  std::size_t others = 0;  // at the front of runs_
+  Entry last = Entry::loose;
+  for (const Run& run : runs_) {
+    const std::span<const Window> windows = std::span(gathered_).subspan(run.first, run.count);
+    const bool in_turn = run.entry != Entry::loose && run.entry != last;
+    last = run.entry;
+    if (!in_turn || !trimming_.append(list_, windows)) runs_[others++] = run;
+  }
+  for (const Run& run : std::span(runs_).first(others))
+    trimming_.merge(list_, std::span(gathered_).subspan(run.first, run.count));
+  for (Window& merged : list_) merged.depth = depth;
+}
+
+/// Takes a chain of windows, its runs ordered by entry; returns the least depth.
+std::uint32_t Propagation::take_runs(Index window) {
   WindowPool& pool = wavefront_.pool();
-  std::array<bool, 3> taken{};
-  for (WindowList& run : runs_) run.clear();
-  loose_.clear(), loose_ends_.clear();
+  gathered_.clear(), runs_.clear();
   std::uint32_t depth = Window::deepest;
   while (window != no_index) {
-    const auto entry = static_cast<std::size_t>(pool[window].entry());
-    const bool loose = pool[window].entry() == Entry::loose || std::exchange(taken[entry], true);
-    WindowList& run = loose ? loose_ : runs_[entry];
-    for (bool ends = false; !ends;) {
-      run.push_back(pool[window]);
-      ends = run.back().ends_run;
-      depth = std::min(depth, static_cast<std::uint32_t>(run.back().depth));
-      pool.release(std::exchange(window, run.back().next));
+    Run run{gathered_.size(), 0, pool[window].entry()};
+    for (bool ends = false; !ends; ++run.count) {
+      gathered_.push_back(pool[window]);
+      ends = gathered_.back().ends_run;
+      depth = std::min<std::uint32_t>(depth, gathered_.back().depth);
+      pool.release(std::exchange(window, gathered_.back().next));
     }
-    if (loose) loose_ends_.push_back(loose_.size());
+    runs_.push_back(run);
+    for (std::size_t i = runs_.size() - 1; i > 0 && runs_[i].entry < runs_[i - 1].entry; --i)
+      std::swap(runs_[i], runs_[i - 1]);
   }
-  for (const WindowList& run : runs_) {
-    if (run.empty() || trimming_.append(list_, run)) continue;
-    loose_.insert(loose_.end(), run.begin(), run.end());
-    loose_ends_.push_back(loose_.size());
-  }
-  for (std::size_t i = 0, first = 0; i < loose_ends_.size(); first = loose_ends_[i++])
-    trimming_.merge(list_, std::span(loose_).subspan(first, loose_ends_[i] - first));
-  for (Window& merged : list_) merged.depth = depth;
+  return depth;
 }
 
 /// Drops the parts of the list that something lower has come to since, at an edge of more than two faces.
@@ -166,7 +173,7 @@ void Propagation::pass(Index half_edge) {
   if (list_.size() > 1 && depth <= deepest_merge_ && !surface_.is_fan(half_edge))
     merge(apex);
   else if (keep_)
-    keep_list(half_edge);
+    kept_.begin_pass(half_edge), keep_carried();
   ++counts_.passes;
   counts_.propagated += list_.size();
   counts_.longest = std::max<std::uint64_t>(counts_.longest, list_.size());
@@ -217,34 +224,22 @@ double Propagation::sine_below(Index half_edge) const {
 
 /// Puts merged windows in the place of those of the list, and keeps both if anything is to be kept.
 void Propagation::merge(const Apex& apex) {
-  const auto groups = merging_.group(list_, {apex.length, sine_below(apex.half_edge)},
-                                     [this](const Window& a, const Window& b) { return same_source(a, b); });
-  if (keep_) {
-    kept_.begin_pass(apex.half_edge);
-    for (const Merging::Group& group : groups) {
-      if (group.last == group.first + 1) continue;
-      for (std::size_t i = group.first; i < group.last; ++i) {
-        const Index number = kept_.add(list_[i], 0);
-        if (i == group.first) list_[i].parent = number;
-      }
-    }
-    kept_.carried_from_here();
-  }
-  std::size_t count = 0;
-  for (const Merging::Group& group : groups) {
-    const Index parent = list_[group.first].parent;
-    const std::size_t size = group.last - group.first;
-    list_[count] = group.window;
-    list_[count].parent = parent;
-    if (keep_) list_[count].parent = kept_.add(list_[count], size > 1 ? static_cast<Index>(size) : 0);
-    ++count;
-  }
-  list_.resize(count);
+  if (keep_) kept_.begin_pass(apex.half_edge);
+  merging_.merge(
+      list_, {apex.length, sine_below(apex.half_edge)},
+      [this](const Window& a, const Window& b) { return same_source(a, b); },
+      [this](std::size_t first, std::size_t last) {
+        if (!keep_) return no_index;
+        const Index number = kept_.add(list_[first]);
+        for (std::size_t i = first + 1; i < last; ++i) kept_.add(list_[i]);
+        return number;
+      });
+  if (keep_) keep_carried();
 }
 
-void Propagation::keep_list(Index half_edge) {
-  kept_.begin_pass(half_edge);
-  for (Window& window : list_) window.parent = kept_.add(window, 0);
+void Propagation::keep_carried() {
+  kept_.carried_from_here();
+  for (Window& window : list_) window.parent = kept_.add(window);
 }
 
 void Propagation::lower_watched(Index half_edge) {

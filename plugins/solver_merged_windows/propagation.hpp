@@ -90,6 +90,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   void process(Index half_edge, Index window);
   void gather(Index window);
+  std::uint32_t take_runs(Index window);
   void keep_nearest(Index half_edge);
   void list_pieces(std::span<const Window> windows);
   void list_parts(std::span<const Window> windows);
@@ -97,7 +98,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void filter(const Apex& apex);
   double sine_below(Index half_edge) const;
   void merge(const Apex& apex);
-  void keep_list(Index half_edge);
+  void keep_carried();
   void lower_watched(Index half_edge);
 
   void cross_alone(const Apex& apex, const Window& window);
@@ -127,9 +128,13 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   std::size_t deepest_merge_;
   bool one_source_ = true;
   WindowList list_, child_, chosen_;
-  std::array<WindowList, 3> runs_;  ///< by entry
-  WindowList loose_, parts_;
-  std::vector<std::size_t> loose_ends_;
+  /// Windows of `gathered_` that came to wait together.
+  struct Run {
+    std::size_t first, count;
+    Entry entry;
+  };
+  WindowList gathered_, parts_;
+  std::vector<Run> runs_;
   EdgePieces pieces_;
   Counts counts_;
 };

@@ -39,8 +39,8 @@ std::array<Counter, 10> Propagation::counters() const {
 }
 
 std::size_t Propagation::bytes() const {
-  std::size_t windows = list_.capacity() + child_.capacity() + chosen_.capacity() + loose_.capacity();
-  for (const WindowList& run : runs_) windows += run.capacity();
+  const std::size_t windows =
+      list_.capacity() + child_.capacity() + chosen_.capacity() + gathered_.capacity() + parts_.capacity();
   return VertexPropagation::bytes() + wavefront_.bytes() + merging_.bytes() + upper_.bytes() + fans_.bytes() +
          kept_.bytes() + windows * sizeof(Window);
 }

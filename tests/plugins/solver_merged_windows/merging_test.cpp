@@ -51,7 +51,32 @@ std::vector<double> places_of(const Window& w) {
   return places;
 }
 
-void expect_sound(const Scene& scene, const Merging::Group& group) {
+/// Windows [first, last) of a scene that became one.
+struct Group {
+  std::size_t first, last;
+  Window window;
+};
+
+/// The groups of a list after a merge.
+std::vector<Group> groups_of(Merging& merging, const Scene& scene) {
+  std::vector<Window> windows = scene.windows;
+  std::vector<Group> groups;
+  std::vector<std::pair<std::size_t, std::size_t>> merges;
+  merging.merge(
+      windows, {1, scene.sine}, [](const Window&, const Window&) { return true; },
+      [&](std::size_t first, std::size_t last) {
+        merges.emplace_back(first, last);
+        return no_index;
+      });
+  for (std::size_t i = 0, next = 0, merge = 0; i < windows.size(); ++i) {
+    const bool is_merged = merge < merges.size() && merges[merge].first == next;
+    groups.push_back({next, is_merged ? merges[merge++].second : next + 1, windows[i]});
+    next = groups.back().last;
+  }
+  return groups;
+}
+
+void expect_sound(const Scene& scene, const Group& group) {
   const Window& merged = group.window;
   const Window &first = scene.windows[group.first], &last = scene.windows[group.last - 1];
   const double noise = 1e-13 * (std::abs(merged.sigma) + merged.at(merged.low));
@@ -81,44 +106,52 @@ TEST(Merging, LowersLAndPaysForIt) {
   for (int i = 0; i < 20000; ++i) {
     const Scene scene = random_scene(random);
     Merging merging(scene.delta);
-    const auto groups = merging.group(scene.windows, {1, scene.sine}, [](const Window&, const Window&) { return true; });
-    std::size_t next = 0;
-    for (const Merging::Group& group : groups) {
-      ASSERT_EQ(group.first, next);
-      next = group.last;
+    const std::vector<Group> groups = groups_of(merging, scene);
+    for (const Group& group : groups) {
       if (group.last == group.first + 1) continue;
       ++merged, several += group.last > group.first + 2;
       expect_sound(scene, group);
       if (HasFailure()) FAIL() << "scene " << i;
     }
-    ASSERT_EQ(next, scene.windows.size());
+    ASSERT_EQ(groups.back().last, scene.windows.size());
   }
   EXPECT_GT(merged, 2000u);
   EXPECT_GT(several, 300u);
 }
 
 /// The two sides of a vertex just passed: one image, cut in two.
-TEST(Merging, MakesOneOfTheHalvesOfAWindow) {
+std::vector<Window> halves() {
   const Window whole{0.4, -7, 2, 0, 1, 0, 1, no_index, no_index};
   std::vector<Window> halves{whole, whole};
   halves[0].high = halves[1].low = 0.3;
+  return halves;
+}
+
+std::size_t count_after_merge(std::vector<Window> windows, bool may_join) {
+  Merging merging(1e-2);
+  merging.merge(
+      windows, {1, 0.8}, [=](const Window&, const Window&) { return may_join; },
+      [](std::size_t, std::size_t) { return no_index; });
+  return windows.size();
+}
+
+TEST(Merging, MakesOneOfTheHalvesOfAWindow) {
   Merging merging(1e-6);
-  const auto groups = merging.group(halves, {1, 0.8}, [](const Window&, const Window&) { return true; });
+  const std::vector<Group> groups = groups_of(merging, {halves(), 1e-6, 0.8});
   ASSERT_EQ(groups.size(), 1u);
-  for (const double x : places_of(whole)) EXPECT_NEAR(groups[0].window.at(x), whole.at(x), 1e-12);
+  for (const Window& half : halves())
+    for (const double x : places_of(half)) EXPECT_NEAR(groups[0].window.at(x), half.at(x), 1e-12);
 }
 
 TEST(Merging, KeepsApartWhatMayNotJoin) {
-  const Window whole{0.4, -7, 2, 0, 1, 0, 1, no_index, no_index};
-  std::vector<Window> halves{whole, whole};
-  halves[0].high = halves[1].low = 0.3;
-  Merging merging(1e-2);
-  EXPECT_EQ(merging.group(halves, {1, 0.8}, [](const Window&, const Window&) { return false; }).size(), 2u);
-  const auto always = [](const Window&, const Window&) { return true; };
-  halves[1].low = 0.3 + 1e-9;  // a gap
-  EXPECT_EQ(merging.group(halves, {1, 0.8}, always).size(), 2u);
-  halves[1].low = 0.3, halves[1].from_face_below = true;
-  EXPECT_EQ(merging.group(halves, {1, 0.8}, always).size(), 2u);
+  EXPECT_EQ(count_after_merge(halves(), true), 1u);
+  EXPECT_EQ(count_after_merge(halves(), false), 2u);
+  std::vector<Window> apart = halves();
+  apart[1].low = 0.3 + 1e-9;
+  EXPECT_EQ(count_after_merge(apart, true), 2u);
+  std::vector<Window> from_the_face_below = halves();
+  from_the_face_below[1].from_face_below = true;
+  EXPECT_EQ(count_after_merge(from_the_face_below, true), 2u);
 }
 
 }  // namespace
