@@ -67,16 +67,16 @@ void Propagation::seed(const Source& source, Index number) {
   VertexPropagation::seed(source, number);
 }
 
-void Propagation::offer_along_edge(Index to, Index from, double length) {
+void Propagation::lowered_along_edge(Index vertex, Index from, double length) {
   const FoundDistance& found = upper_[from];
-  upper_.offer(to, {found.distance + length, found.source}, {.vertex = from});
+  upper_.offer(vertex, {found.distance + length, found.source}, {.vertex = from});
 }
 
-void Propagation::offer_straight(Index vertex, double distance, Index source) {
+void Propagation::lowered_straight(Index vertex, double distance, Index source) {
   upper_.offer(vertex, {distance, source}, {});
 }
 
-void Propagation::offer_source(Index vertex, double distance, Index source) {
+void Propagation::lowered_at_source(Index vertex, double distance, Index source) {
   upper_.offer(vertex, {distance, source}, {.vertex = vertex});
 }
 
@@ -167,7 +167,7 @@ void Propagation::pass(Index half_edge) {
   const bool is_copy = surface_.is_copy(half_edge / 3);
   if (is_copy && !keep_ && watched_.empty()) return;
   const Apex apex(surface_, half_edge);
-  const std::uint32_t depth = list_.front().depth;
+  const std::uint32_t depth = list_.front().depth;  // of all
   filter(apex);
   if (list_.empty()) return;
   if (list_.size() > 1 && depth <= deepest_merge_ && !surface_.is_fan(half_edge))
@@ -181,7 +181,6 @@ void Propagation::pass(Index half_edge) {
 
   if (is_copy) return;
   if (depth >= 2 * deepest_merge_) return;  // a line that goes straight over as many faces as there are meets one twice
-  for (Window& window : list_) window.depth = depth + 1;
   if (list_.size() == 1)
     cross_alone(apex, list_[0]);
   else
@@ -263,8 +262,8 @@ void Propagation::cross_alone(const Apex& apex, const Window& window) {
     lower_apex_bent(apex, window, left ? window.high : window.low);
   lower_along_edges(apex);
   const Window present = window;  // what goes on at once may take its place
-  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, present, right), apex.left());
-  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, present, left), apex.right());
+  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, present, right), apex, apex.c);
+  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, present, left), apex, apex.b);
 }
 
 void Propagation::cross(const Apex& apex) {
@@ -367,8 +366,7 @@ Window Propagation::carried_left(const Apex& apex, const Window& window, bool cl
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = image.low(window.low), child.high = clipped ? turn.limit : image.high(window.high);
-  child.from_face_below = false;
-  child.set_entry(Entry::left);
+  child.cross(Entry::left);
   return child;
 }
 
@@ -379,8 +377,7 @@ Window Propagation::carried_right(const Apex& apex, const Window& window, bool c
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = clipped ? 0 : image.low(window.low), child.high = image.high(window.high);
-  child.from_face_below = false;
-  child.set_entry(Entry::right);
+  child.cross(Entry::right);
   return child;
 }
 
@@ -416,14 +413,15 @@ void Propagation::send(Index edge) {
   hand_on(std::span(all).first(end), edge);
 }
 
-/// What `send` and `hand_on` do, for a single window at an edge of two faces.
-void Propagation::hand_on_alone(const Window& window, Index edge) {
-  if (!surface_.is_fan(edge) && !window.empty() && !is_close(window, surface_.length(edge))) {
-    counts_.created += wavefront_.push_alone(window, edge, limit_);
+/// What `send` and `hand_on` do, for a single window that left through edge i of the face.
+void Propagation::hand_on_alone(const Window& window, const Apex& apex, int i) {
+  const PackedMesh::Across across = PackedMesh::only_across(apex.face, i);
+  if (across.half_edge != no_index && !window.empty() && !is_close(window, apex.face.length[i])) {
+    counts_.created += wavefront_.push_alone(window, across, apex.face.length[i], limit_);
     return;
   }
   child_.assign(1, window);
-  send(edge);
+  send(apex.half_edge / 3 * 3 + static_cast<Index>(i));
 }
 
 /// Lets a run wait at the other half-edges of an edge.

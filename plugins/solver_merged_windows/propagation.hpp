@@ -84,9 +84,9 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   std::uint64_t carried() const { return counts_.propagated; }
   void next();
   void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
-  void offer_along_edge(Index to, Index from, double length);
-  void offer_straight(Index vertex, double distance, Index source);
-  void offer_source(Index vertex, double distance, Index source);
+  void lowered_along_edge(Index vertex, Index from, double length);
+  void lowered_straight(Index vertex, double distance, Index source);
+  void lowered_at_source(Index vertex, double distance, Index source);
 
   void process(Index half_edge, Index window);
   void gather(Index window);
@@ -116,7 +116,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   Window carried_left(const Apex& apex, const Window& window, bool clipped) const;
   Window carried_right(const Apex& apex, const Window& window, bool clipped) const;
   void send(Index edge);
-  void hand_on_alone(const Window& window, Index edge);
+  void hand_on_alone(const Window& window, const Apex& apex, int i);
   void hand_on(std::span<const Window> run, Index edge);
 
   Wavefront wavefront_;

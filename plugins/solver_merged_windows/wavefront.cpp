@@ -56,17 +56,14 @@ std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double 
   return pushed;
 }
 
-bool Wavefront::push_alone(const Window& window, Index edge, double limit) {
+bool Wavefront::push_alone(const Window& window, const PackedMesh::Across& across, double length, double limit) {
   const double near = least_value({&window, 1});
   if (near * (1 - rounding_share) > limit) return false;
-  const double length = surface_.length(edge);
-  surface_.for_each_across(edge, [&](Index half_edge, bool is_mirrored) {
-    const Index place = pool_.add();
-    pool_[place] = window;
-    if (is_mirrored) pool_[place] = mirrored(window, length);
-    put_first(place, half_edge, true);
-    wait(half_edge, key_of(near + patience * length));
-  });
+  const Index place = pool_.add();
+  pool_[place] = window;
+  if (across.mirrored) pool_[place] = mirrored(window, length);
+  put_first(place, across.half_edge, true);
+  wait(across.half_edge, key_of(near + patience * length));
   return true;
 }
 

@@ -38,8 +38,8 @@ class Wavefront {
   /// other half-edge on the edge. What is farther than `limit` everywhere is dropped. Returns how many windows wait.
   std::size_t push_run(std::span<const Window> run, Index edge, double limit);
 
-  /// The same for one window, at an edge of at most two faces. False if it was dropped.
-  bool push_alone(const Window& window, Index edge, double limit);
+  /// The same for one window at one half-edge, `length` long. False if it was dropped.
+  bool push_alone(const Window& window, const PackedMesh::Across& across, double length, double limit);
 
   WindowPool& pool() { return pool_; }
   std::size_t bytes() const { return pool_.bytes() + queue_.bytes() + slots_.capacity() * sizeof(Slot); }

@@ -49,8 +49,8 @@ struct PseudoSource {
 ///   face wait beyond a half-edge of it, `apex.half_edge`, in whose frame the point is. `to_end` is the length of the
 ///   half-edge less from.x, told apart from 0 where rounding would not;
 /// - `std::uint64_t carried() const`: how many lines it has carried across faces in this run;
-/// - optionally `polled`, `seed_face`, `offer_along_edge`, `offer_straight` and `offer_source` in place of those
-///   here.
+/// - optionally `polled`, `seed_face`, `lowered_along_edge`, `lowered_straight` and `lowered_at_source` in place of
+///   those here.
 template <class Solver, class Step>
 class VertexPropagation {
  public:
@@ -90,11 +90,11 @@ class VertexPropagation {
   void begin(bool keep, double limit);
   /// Is called now and then, for a solver that watches its run.
   void polled() {}
-  /// Are called with every path along an edge to a vertex, every one straight from a source in a face, and every source
-  /// that is a vertex: for a solver whose answers are not the labels.
-  void offer_along_edge(Index /*to*/, Index /*from*/, double /*length*/) {}
-  void offer_straight(Index /*vertex*/, double /*distance*/, Index /*source*/) {}
-  void offer_source(Index /*vertex*/, double /*distance*/, Index /*source*/) {}
+  /// Are called when a label was lowered by the path along an edge, by one straight from a source in a face, and by a
+  /// source that is the vertex: for a solver whose answers are not the labels.
+  void lowered_along_edge(Index /*vertex*/, Index /*from*/, double /*length*/) {}
+  void lowered_straight(Index /*vertex*/, double /*distance*/, Index /*source*/) {}
+  void lowered_at_source(Index /*vertex*/, double /*distance*/, Index /*source*/) {}
 
   /// Returns the number of the source that rays from this origin start at.
   Index source_of(Index origin) const {
@@ -169,12 +169,14 @@ template <class Solver, class Step>
 void VertexPropagation<Solver, Step>::lower_along_edges(const Apex& apex) {
   const double by_start = labels_.distance(apex.start()) + apex.left_length();
   const double by_end = labels_.distance(apex.end()) + apex.right_length();
-  solver().offer_along_edge(apex.vertex(), apex.start(), apex.left_length());
-  solver().offer_along_edge(apex.vertex(), apex.end(), apex.right_length());
-  if (label_is_lower(apex.vertex(), by_start))
+  if (label_is_lower(apex.vertex(), by_start)) {
     lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {.vertex = apex.start()});
-  if (label_is_lower(apex.vertex(), by_end))
+    solver().lowered_along_edge(apex.vertex(), apex.start(), apex.left_length());
+  }
+  if (label_is_lower(apex.vertex(), by_end)) {
     lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source}, {.vertex = apex.end()});
+    solver().lowered_along_edge(apex.vertex(), apex.end(), apex.right_length());
+  }
 }
 
 template <class Solver, class Step>
@@ -236,12 +238,14 @@ void VertexPropagation<Solver, Step>::emit_into(Index corner) {
   const Index vertex = apex.vertex();
   const Label label = labels_[vertex];
   const double by_left = label.distance + apex.left_length(), by_right = label.distance + apex.right_length();
-  solver().offer_along_edge(apex.start(), vertex, apex.left_length());
-  solver().offer_along_edge(apex.end(), vertex, apex.right_length());
-  if (label_is_lower(apex.start(), by_left))
+  if (label_is_lower(apex.start(), by_left)) {
     lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {.vertex = vertex});
-  if (label_is_lower(apex.end(), by_right))
+    solver().lowered_along_edge(apex.start(), vertex, apex.left_length());
+  }
+  if (label_is_lower(apex.end(), by_right)) {
     lower(apex.end(), {by_right, {}, apex.right(), label.source}, {.vertex = vertex});
+    solver().lowered_along_edge(apex.end(), vertex, apex.right_length());
+  }
   const double to_end = apex.right_length() * apex.face.cosine[apex.b];
   solver().send_wedge(apex, {apex.x, apex.y, label.distance, vertex}, to_end, Entry::apex);
 }
@@ -252,8 +256,9 @@ void VertexPropagation<Solver, Step>::seed(const Source& source, Index number) {
   for (int i = 0; i < 3; ++i) {
     if (at.b[i] != 1) continue;
     const Index vertex = surface_.face(at.face).vertex[i];
-    solver().offer_source(vertex, source.start, number);
-    if (label_is_lower(vertex, source.start)) lower(vertex, {source.start, {}, no_index, number}, {});
+    if (!label_is_lower(vertex, source.start)) return;
+    lower(vertex, {source.start, {}, no_index, number}, {});
+    solver().lowered_at_source(vertex, source.start, number);
     return;
   }
   surface_.for_each_name(at, [&](const SurfacePoint& here) { solver().seed_face(here, source, number); });
@@ -266,9 +271,10 @@ void VertexPropagation<Solver, Step>::seed_face(const SurfacePoint& at, const So
     const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
     const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
     const double distance = source.start + std::sqrt(x * x + y * y);
-    solver().offer_straight(apex.start(), distance, number);
-    if (label_is_lower(apex.start(), distance))
+    if (label_is_lower(apex.start(), distance)) {
       lower(apex.start(), {distance, angle_of(x, y), apex.half_edge, number}, {});
+      solver().lowered_straight(apex.start(), distance, number);
+    }
     if (at.b[apex.c] == 0) continue;
     const double to_end = at.b[apex.a] * apex.length + at.b[apex.c] * apex.right_length() * apex.face.cosine[apex.b];
     solver().send_wedge(apex, {x, y, source.start, origin}, to_end, Entry::loose);

@@ -68,6 +68,17 @@ class PackedMesh {
     visit(code & ~mirror_bit, (code & mirror_bit) != 0);
   }
 
+  /// The only other half-edge on edge i of a face; none on the boundary and where more than two faces meet.
+  struct Across {
+    Index half_edge = no_index;
+    bool mirrored = false;  ///< both run the same way
+  };
+  static Across only_across(const Face& face, int i) {
+    const Index code = face.across[i];
+    if (code == no_index || (code & fan_bit)) return {};
+    return {code & ~mirror_bit, (code & mirror_bit) != 0};
+  }
+
   /// Tells whether more than two faces meet at the edge of `h`.
   bool is_fan(Index h) const {
     const Index code = faces_[h / 3].across[h % 3];
