@@ -56,6 +56,10 @@ void Propagation::begin(bool keep, double limit) {
 
 void Propagation::next() {
   const Wavefront::Next next = wavefront_.pop();
+  wavefront_.fetch_ahead([this](Index vertex) {
+    __builtin_prefetch(&labels_[vertex]);
+    __builtin_prefetch(&upper_[vertex]);
+  });
   if (next.vertex != no_index)
     emit(next.vertex);
   else

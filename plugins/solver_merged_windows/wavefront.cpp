@@ -28,15 +28,6 @@ Wavefront::Next Wavefront::pop() {
   BucketQueue::Entry entry;
   do entry = queue_.pop();
   while (entry.key != slots_[entry.element].key);
-  queue_.look_ahead(8, [&](Index soon) {
-    if (soon >= half_edges_) return;
-    const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
-    __builtin_prefetch(face), __builtin_prefetch(face + 64);
-    __builtin_prefetch(&slots_[soon]);
-  });
-  queue_.look_ahead(4, [&](Index soon) {
-    if (soon < half_edges_ && slots_[soon].first != no_index) __builtin_prefetch(&pool_[slots_[soon].first]);
-  });
   --waiting_;
   const Slot slot = std::exchange(slots_[entry.element], {});
   if (entry.element >= half_edges_) return {no_index, no_index, entry.element - half_edges_};

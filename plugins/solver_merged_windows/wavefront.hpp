@@ -32,6 +32,28 @@ class Wavefront {
   /// Precondition: not empty.
   Next pop();
 
+  /// Fetches the memory that the half-edges which come soon will need. `fetch_vertex(v)` is called for the corners of
+  /// the face of one of them.
+  template <class FetchVertex>
+  void fetch_ahead(FetchVertex&& fetch_vertex) const {
+    queue_.look_ahead(8, [&](Index soon) {
+      if (soon >= half_edges_) return;
+      const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
+      __builtin_prefetch(face), __builtin_prefetch(face + 64);
+      __builtin_prefetch(&slots_[soon]);
+    });
+    queue_.look_ahead(4, [&](Index soon) {
+      if (soon >= half_edges_) return;
+      const PackedMesh::Face& face = surface_.face_of(soon);
+      for (int i = 0; i < 3; ++i) {
+        fetch_vertex(face.vertex[i]);
+        const Index across = PackedMesh::only_across(face, i).half_edge;
+        if (across != no_index) __builtin_prefetch(&slots_[across]);
+      }
+      if (slots_[soon].first != no_index) __builtin_prefetch(&pool_[slots_[soon].first]);
+    });
+  }
+
   void push_vertex(Index vertex, double distance) { wait(half_edges_ + vertex, key_of(distance)); }
 
   /// Lets windows, which are disjoint and ascend in the frame of a half-edge that runs against `edge`, wait at every
