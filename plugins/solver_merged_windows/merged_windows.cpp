@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "plugins/common/exact/exact_prepared.hpp"
-#include "plugins/solver_merged_windows/propagation.hpp"
+#include "plugins/solver_merged_windows/fallback.hpp"
 
 namespace geodrome {
 
@@ -13,7 +13,7 @@ double MergedWindowsSolver::factor(const OptionValues* values) noexcept {
 }
 
 std::unique_ptr<PreparedSurface> MergedWindowsSolver::prepare(MeshPtr mesh, RunContext& context) const {
-  return prepare_exact<merged_windows::Propagation>(std::move(mesh), settings_, context);
+  return prepare_exact<merged_windows::Fallback>(std::move(mesh), settings_, context);
 }
 
 }  // namespace geodrome

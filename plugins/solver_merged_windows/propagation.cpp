@@ -37,6 +37,7 @@ bool is_close(const Window& w, double length) {
 Propagation::Propagation(const PackedMesh& surface, const Settings& settings)
     : VertexPropagation(surface),
       wavefront_(surface),
+      long_list_(settings.long_list),
       merging_(settings.delta),
       upper_(surface.vertex_count()),
       fans_(surface),
@@ -64,6 +65,13 @@ void Propagation::next() {
     emit(next.vertex);
   else
     process(next.half_edge, next.window);
+}
+
+/// Throws LongLists.
+void Propagation::polled() const {
+  constexpr std::uint64_t enough_passes = 512;
+  const auto passes = static_cast<double>(std::max(counts_.passes, enough_passes));
+  if (static_cast<double>(counts_.propagated) > long_list_ * passes) throw LongLists{};
 }
 
 void Propagation::seed(const Source& source, Index number) {

@@ -27,6 +27,9 @@ struct Counts {
   std::uint64_t longest = 0;     ///< the longest list carried on
 };
 
+/// Thrown by a run whose lists stay so long that exact windows are faster.
+struct LongLists {};
+
 /// Windows carried over a surface from its sources, half-edge by half-edge, nearest first, and merged where that costs
 /// little. The labels of vertices are l, the least L of all windows; what is answered is D, the length of the shortest
 /// path found. README.md proves l <= d <= D <= (1 + delta) l. Distances, faces and vertices are those of the packed
@@ -82,6 +85,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   Wavefront& waiting() { return wavefront_; }
   std::uint64_t carried() const { return counts_.propagated; }
+  void polled() const;
   void next();
   void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
   void lowered_along_edge(Index vertex, Index from, double length);
@@ -119,6 +123,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void hand_on_alone(const Window& window, const Apex& apex, int i);
   void hand_on(std::span<const Window> run, Index edge);
 
+  double long_list_;
   Wavefront wavefront_;
   Trimming trimming_;
   Merging merging_;
