@@ -36,8 +36,8 @@ bool is_close(const Window& w, double length) {
 
 Propagation::Propagation(const PackedMesh& surface, const Settings& settings)
     : VertexPropagation(surface),
-      wavefront_(surface),
       long_list_(settings.long_list),
+      wavefront_(surface),
       merging_(settings.delta),
       upper_(surface.vertex_count()),
       fans_(surface),
