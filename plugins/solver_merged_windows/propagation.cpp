@@ -118,38 +118,39 @@ void Propagation::process(Index half_edge, Index window) {
 
 /// Several windows: one run of each entry in their order, the others merged into them.
 void Propagation::gather(Index window) {
-  const std::uint32_t depth = take_runs(window);
-  std::size_t others = 0;  // at the front of runs_
-  Entry last = Entry::loose;
-  for (const Run& run : runs_) {
-    const std::span<const Window> windows = std::span(gathered_).subspan(run.first, run.count);
-    const bool in_turn = run.entry != Entry::loose && run.entry != last;
-    last = run.entry;
-    if (!in_turn || !trimming_.append(list_, windows)) runs_[others++] = run;
+  gathered_.clear(), ends_.clear();
+  std::uint32_t depth = Window::deepest;
+  while (window != no_index) {
+    const std::size_t middle = list_.size();
+    const Entry entry = wavefront_.pool()[window].entry();
+    const Index next = copy_run(window, list_);
+    for (std::size_t i = middle; i < list_.size(); ++i) depth = std::min<std::uint32_t>(depth, list_[i].depth);
+    if (entry == Entry::loose) list_.resize(middle);
+    if (entry == Entry::loose || (middle > 0 && !trimming_.join(list_, middle))) {
+      copy_run(window, gathered_);
+      ends_.push_back(gathered_.size());
+    }
+    release_run(window);
+    window = next;
   }
-  for (const Run& run : std::span(runs_).first(others))
-    trimming_.merge(list_, std::span(gathered_).subspan(run.first, run.count));
+  for (std::size_t i = 0, first = 0; i < ends_.size(); first = ends_[i++])
+    trimming_.merge(list_, std::span(gathered_).subspan(first, ends_[i] - first));
   for (Window& merged : list_) merged.depth = depth;
 }
 
-/// Takes a chain of windows, its runs ordered by entry; returns the least depth.
-std::uint32_t Propagation::take_runs(Index window) {
+/// Returns the first window of the run that follows.
+Index Propagation::copy_run(Index window, WindowList& list) {
+  do list.push_back(wavefront_.pool()[window]), window = list.back().next;
+  while (!list.back().ends_run);
+  return window;
+}
+
+void Propagation::release_run(Index window) {
   WindowPool& pool = wavefront_.pool();
-  gathered_.clear(), runs_.clear();
-  std::uint32_t depth = Window::deepest;
-  while (window != no_index) {
-    Run run{gathered_.size(), 0, pool[window].entry()};
-    for (bool ends = false; !ends; ++run.count) {
-      gathered_.push_back(pool[window]);
-      ends = gathered_.back().ends_run;
-      depth = std::min<std::uint32_t>(depth, gathered_.back().depth);
-      pool.release(std::exchange(window, gathered_.back().next));
-    }
-    runs_.push_back(run);
-    for (std::size_t i = runs_.size() - 1; i > 0 && runs_[i].entry < runs_[i - 1].entry; --i)
-      std::swap(runs_[i], runs_[i - 1]);
+  for (bool ends = false; !ends;) {
+    ends = pool[window].ends_run;
+    pool.release(std::exchange(window, pool[window].next));
   }
-  return depth;
 }
 
 /// Drops the parts of the list that something lower has come to since, at an edge of more than two faces.

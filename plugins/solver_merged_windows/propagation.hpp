@@ -94,7 +94,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   void process(Index half_edge, Index window);
   void gather(Index window);
-  std::uint32_t take_runs(Index window);
+  Index copy_run(Index window, WindowList& list);
+  void release_run(Index window);
   void keep_nearest(Index half_edge);
   void list_pieces(std::span<const Window> windows);
   void list_parts(std::span<const Window> windows);
@@ -133,13 +134,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   std::size_t deepest_merge_;
   bool one_source_ = true;
   WindowList list_, child_, chosen_;
-  /// Windows of `gathered_` that came to wait together.
-  struct Run {
-    std::size_t first, count;
-    Entry entry;
-  };
   WindowList gathered_, parts_;
-  std::vector<Run> runs_;
+  std::vector<std::size_t> ends_;  ///< of runs in gathered_
   EdgePieces pieces_;
   Counts counts_;
 };

@@ -39,14 +39,13 @@ void Trimming::trim(WindowList& list) {
   list.resize(end);
 }
 
-bool Trimming::append(WindowList& list, std::span<const Window> right) {
-  const std::size_t middle = list.size();
-  list.insert(list.end(), right.begin(), right.end());
+bool Trimming::join(WindowList& list, std::size_t middle) {
   const Seam seam = trim_seam(Row{list.data()}, middle, list.size());
   if (!seam.in_order) {
     list.resize(seam.left);
     return false;
   }
+  if (seam.right == seam.left) return true;
   dropped_ += seam.right - seam.left;
   list.erase(list.begin() + static_cast<std::ptrdiff_t>(seam.left),
              list.begin() + static_cast<std::ptrdiff_t>(seam.right));

@@ -20,9 +20,9 @@ class Trimming {
   void trim(WindowList& list);
   const std::vector<std::uint32_t>& breaks() const { return breaks_; }
 
-  /// Appends the ordered, disjoint windows of `right`, which enter to the right of all those of `list`, and trims at
-  /// the seam. False, and nothing of `right` taken, if they cannot be put in order.
-  bool append(WindowList& list, std::span<const Window> right);
+  /// Trims at the seam of the two ordered lists of disjoint windows that `list` holds, the second of which begins at
+  /// `middle` and enters to the right of the first. False, with the second left out, if they cannot be put in order.
+  bool join(WindowList& list, std::size_t middle);
 
   /// Merges disjoint, ascending windows of which nothing is known about how they enter into a list of such: at every
   /// point the lower one stays. A window may come out in pieces. O(n + m).

@@ -53,18 +53,41 @@ bool Wavefront::push_alone(const Window& window, const PackedMesh::Across& acros
   const Index place = pool_.add();
   pool_[place] = window;
   if (across.mirrored) pool_[place] = mirrored(window, length);
-  put_first(place, across.half_edge, true);
+  insert_run(place, place, across.half_edge);
   wait(across.half_edge, key_of(near + patience * length));
   return true;
 }
 
-/// Puts a run before what waits at a half-edge.
 void Wavefront::chain(std::span<const Window> run, Index half_edge, bool mirrored, double length) {
+  Index first = no_index, last = no_index;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const Index place = pool_.add();
     pool_[place] = mirrored ? merged_windows::mirrored(run[i], length) : run[run.size() - 1 - i];
-    put_first(place, half_edge, i == 0);
+    pool_[place].next = first, pool_[place].ends_run = false;
+    first = place;
+    if (i == 0) last = place;
   }
+  insert_run(first, last, half_edge);
+}
+
+/// Inserts windows that are linked where their entry belongs. What came earlier by the same entry is in no order with
+/// them, so they become loose.
+void Wavefront::insert_run(Index first, Index last, Index half_edge) {
+  Index* link = &slots_[half_edge].first;
+  const auto skip_run = [&] {
+    Index end = *link;
+    while (!pool_[end].ends_run) end = pool_[end].next;
+    link = &pool_[end].next;
+  };
+  const Entry entry = pool_[first].entry();
+  while (*link != no_index && pool_[*link].entry() < entry) skip_run();
+  if (*link != no_index && entry != Entry::loose && pool_[*link].entry() == entry) {
+    for (Index window = first; window != last; window = pool_[window].next) pool_[window].set_entry(Entry::loose);
+    pool_[last].set_entry(Entry::loose);
+    while (*link != no_index) skip_run();
+  }
+  pool_[last].next = *link, pool_[last].ends_run = true;
+  *link = first;
 }
 
 }  // namespace geodrome::merged_windows

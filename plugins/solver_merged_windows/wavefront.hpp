@@ -13,7 +13,8 @@
 
 namespace geodrome::merged_windows {
 
-/// What waits: windows at half-edges and vertices that are to emit, nearest first.
+/// What waits: windows at half-edges and vertices that are to emit, nearest first. Windows of a half-edge are a chain of
+/// runs: one of each entry in their order, then those that are loose.
 class Wavefront {
  public:
   explicit Wavefront(const PackedMesh& surface)
@@ -75,11 +76,7 @@ class Wavefront {
   };
 
   static float key_of(double distance) { return static_cast<float>(std::min(distance, 1e38)); }
-  void put_first(Index window, Index half_edge, bool ends_run) {
-    pool_[window].next = slots_[half_edge].first;
-    pool_[window].ends_run = ends_run;
-    slots_[half_edge].first = window;
-  }
+  void insert_run(Index first, Index last, Index half_edge);
   void wait(Index element, float key) {
     Slot& slot = slots_[element];
     waiting_ += slot.key == not_waiting;
