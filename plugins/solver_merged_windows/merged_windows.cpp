@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/solver_merged_windows/merged_windows.hpp"
 
+#include <string>
 #include <utility>
 
 #include "plugins/common/exact/exact_prepared.hpp"
@@ -13,6 +14,10 @@ double MergedWindowsSolver::factor(const OptionValues* values) noexcept {
 }
 
 std::unique_ptr<PreparedSurface> MergedWindowsSolver::prepare(MeshPtr mesh, RunContext& context) const {
+  constexpr std::size_t most_faces = merged_windows::Window::deepest / 2;
+  if (mesh->face_count() > most_faces)
+    throw CapabilityError("the mesh has more than " + std::to_string(most_faces) + " faces",
+                          "choose an exact solver such as chen_han");
   return prepare_exact<merged_windows::Fallback>(std::move(mesh), settings_, context);
 }
 

@@ -36,7 +36,8 @@ void Merging::list_ends(std::span<const Window> windows) {
 
 /// A source inside the face below may be nearer than a corner that would have to be cut.
 bool Merging::touch(const Window& left, const Window& right, const Edge& edge) {
-  return !left.from_face_below && !right.from_face_below && std::abs(right.low - left.high) <= no_gap * edge.length;
+  return edge.sine > 0 && !left.from_face_below && !right.from_face_below &&
+         std::abs(right.low - left.high) <= no_gap * edge.length;
 }
 
 /// Finds the end of the longest group of at most `most` windows from `first` on that become one, `window`; first + 1 if

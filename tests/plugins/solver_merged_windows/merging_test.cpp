@@ -127,10 +127,10 @@ std::vector<Window> halves() {
   return halves;
 }
 
-std::size_t count_after_merge(std::vector<Window> windows, bool may_join) {
+std::size_t count_after_merge(std::vector<Window> windows, bool may_join, double sine = 0.8) {
   Merging merging(1e-2);
   merging.merge(
-      windows, {1, 0.8}, [=](const Window&, const Window&) { return may_join; },
+      windows, {1, sine}, [=](const Window&, const Window&) { return may_join; },
       [](std::size_t, std::size_t) { return no_index; });
   return windows.size();
 }
@@ -146,6 +146,7 @@ TEST(Merging, MakesOneOfTheHalvesOfAWindow) {
 TEST(Merging, KeepsApartWhatMayNotJoin) {
   EXPECT_EQ(count_after_merge(halves(), true), 1u);
   EXPECT_EQ(count_after_merge(halves(), false), 2u);
+  EXPECT_EQ(count_after_merge(halves(), true, 0), 2u) << "the face below has no area";
   std::vector<Window> apart = halves();
   apart[1].low = 0.3 + 1e-9;
   EXPECT_EQ(count_after_merge(apart, true), 2u);
