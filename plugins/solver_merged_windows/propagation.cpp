@@ -104,14 +104,15 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double,
 
 /// Carries on what waits at a half-edge, as one list.
 void Propagation::process(Index half_edge, Index window) {
-  list_.clear();
   WindowPool& pool = wavefront_.pool();
-  if (pool[window].next == no_index) {
-    list_.push_back(pool[window]);
+  const bool alone = pool[window].next == no_index;
+  if (alone && !keep_ && watched_.empty() && !surface_.is_fan(half_edge)) {
+    const Window present = pool[window];
     pool.release(window);
-  } else {
-    gather(window);
+    return pass_alone(half_edge, present);
   }
+  list_.clear();
+  gather(window);
   if (surface_.branches(half_edge)) keep_nearest(half_edge);
   if (!list_.empty()) pass(half_edge);
 }
@@ -195,7 +196,7 @@ void Propagation::pass(Index half_edge) {
   if (is_copy) return;
   if (depth >= 2 * deepest_merge_) return;  // a line that goes straight over as many faces as there are meets one twice
   if (list_.size() == 1)
-    cross_alone(apex, list_[0]);
+    cross_alone(apex, Window(list_[0]));  // what goes on at once may take its place
   else
     cross(apex);
 }
@@ -205,12 +206,6 @@ void Propagation::pass(Index half_edge) {
 void Propagation::filter(const Apex& apex) {
   const double at_start = labels_.distance(apex.start()), at_end = labels_.distance(apex.end());
   const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
-  if (list_.size() == 1) {
-    const Window& w = list_[0];
-    if (longer(w.at(w.high), at_start + w.high) || longer(w.at(w.low), at_end + (apex.length - w.low)))
-      list_.clear(), ++counts_.filtered;
-    return;
-  }
   std::size_t first = 0, last = list_.size();
   while (first < last && longer(list_[first].at(list_[first].high), at_start + list_[first].high)) ++first;
   while (first < last && longer(list_[last - 1].at(list_[last - 1].low), at_end + (apex.length - list_[last - 1].low)))
@@ -266,7 +261,28 @@ void Propagation::lower_watched(Index half_edge) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Across a face
 
-/// What `cross` does, for a single window: most windows are alone.
+/// What `pass` does, for a single window of which nothing is to be kept: most windows are alone.
+void Propagation::pass_alone(Index half_edge, const Window& window) {
+  const Apex apex(surface_, half_edge);
+  if (is_needless(window, apex)) {
+    ++counts_.filtered;
+    return;
+  }
+  ++counts_.passes, ++counts_.propagated;
+  if (window.depth < 2 * deepest_merge_) cross_alone(apex, window);
+}
+
+/// Whether the filter drops all of a window. (Squares are compared in place of roots.)
+bool Propagation::is_needless(const Window& w, const Apex& apex) const {
+  const double over_start = labels_.distance(apex.start()) + w.high;
+  const double over_end = labels_.distance(apex.end()) + (apex.length - w.low);
+  const auto longer = [&](double place, double other) {
+    const double rest = other * (1 + rounding_share) - w.sigma;
+    return rest < 0 || (place - w.x) * (place - w.x) + w.y * w.y > rest * rest;
+  };
+  return longer(w.high, over_start) || longer(w.low, over_end);
+}
+
 void Propagation::cross_alone(const Apex& apex, const Window& window) {
   const bool left = has_left(apex, window), right = has_right(apex, window);
   if (left && right)
@@ -274,9 +290,8 @@ void Propagation::cross_alone(const Apex& apex, const Window& window) {
   else
     lower_apex_bent(apex, window, left ? window.high : window.low);
   lower_along_edges(apex);
-  const Window present = window;  // what goes on at once may take its place
-  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, present, right), apex, apex.c);
-  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, present, left), apex, apex.b);
+  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, window, right), apex, apex.c);
+  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, window, left), apex, apex.b);
 }
 
 void Propagation::cross(const Apex& apex) {

@@ -106,6 +106,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void keep_carried();
   void lower_watched(Index half_edge);
 
+  void pass_alone(Index half_edge, const Window& window);
+  bool is_needless(const Window& window, const Apex& apex) const;
   void cross_alone(const Apex& apex, const Window& window);
   void cross(const Apex& apex);
   Split split_at(const Apex& apex) const;

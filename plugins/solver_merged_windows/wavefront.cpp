@@ -2,6 +2,7 @@
 #include "plugins/solver_merged_windows/wavefront.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "plugins/common/exact/tolerances.hpp"
@@ -48,7 +49,8 @@ std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double 
 }
 
 bool Wavefront::push_alone(const Window& window, const PackedMesh::Across& across, double length, double limit) {
-  const double near = least_value({&window, 1});
+  const double aside = std::max({window.low - window.x, 0.0, window.x - window.high});
+  const double near = std::max(0.0, window.sigma + std::sqrt(aside * aside + window.y * window.y));
   if (near * (1 - rounding_share) > limit) return false;
   const Index place = pool_.add();
   pool_[place] = window;
@@ -74,6 +76,11 @@ void Wavefront::chain(std::span<const Window> run, Index half_edge, bool mirrore
 /// them, so they become loose.
 void Wavefront::insert_run(Index first, Index last, Index half_edge) {
   Index* link = &slots_[half_edge].first;
+  if (*link == no_index) {
+    pool_[last].next = no_index, pool_[last].ends_run = true;
+    *link = first;
+    return;
+  }
   const auto skip_run = [&] {
     Index end = *link;
     while (!pool_[end].ends_run) end = pool_[end].next;
