@@ -112,46 +112,33 @@ void Propagation::process(Index half_edge, Index window) {
     return pass_alone(half_edge, present);
   }
   list_.clear();
-  gather(window);
+  const std::uint32_t depth = gather(window);
   if (surface_.branches(half_edge)) keep_nearest(half_edge);
-  if (!list_.empty()) pass(half_edge);
+  if (!list_.empty()) pass(half_edge, depth);
 }
 
-/// Several windows: one run of each entry in their order, the others merged into them.
-void Propagation::gather(Index window) {
+/// Several windows: one run of each entry in their order, the others merged into them. Returns the least depth.
+std::uint32_t Propagation::gather(Index window) {
+  WindowPool& pool = wavefront_.pool();
   gathered_.clear(), ends_.clear();
   std::uint32_t depth = Window::deepest;
+  std::size_t middle = 0;
   while (window != no_index) {
-    const std::size_t middle = list_.size();
-    const Entry entry = wavefront_.pool()[window].entry();
-    const Index next = copy_run(window, list_);
-    for (std::size_t i = middle; i < list_.size(); ++i) depth = std::min<std::uint32_t>(depth, list_[i].depth);
-    if (entry == Entry::loose) list_.resize(middle);
-    if (entry == Entry::loose || (middle > 0 && !trimming_.join(list_, middle))) {
-      copy_run(window, gathered_);
+    const Window& next = list_.emplace_back(pool[window]);
+    depth = std::min<std::uint32_t>(depth, next.depth);
+    pool.release(std::exchange(window, next.next));
+    if (!next.ends_run) continue;
+    if (next.entry() == Entry::loose || (middle > 0 && !trimming_.join(list_, middle))) {
+      // In no order with what is in the list: it comes after all that is.
+      gathered_.insert(gathered_.end(), list_.begin() + static_cast<std::ptrdiff_t>(middle), list_.end());
       ends_.push_back(gathered_.size());
+      list_.resize(middle);
     }
-    release_run(window);
-    window = next;
+    middle = list_.size();
   }
   for (std::size_t i = 0, first = 0; i < ends_.size(); first = ends_[i++])
     trimming_.merge(list_, std::span(gathered_).subspan(first, ends_[i] - first));
-  for (Window& merged : list_) merged.depth = depth;
-}
-
-/// Returns the first window of the run that follows.
-Index Propagation::copy_run(Index window, WindowList& list) {
-  do list.push_back(wavefront_.pool()[window]), window = list.back().next;
-  while (!list.back().ends_run);
-  return window;
-}
-
-void Propagation::release_run(Index window) {
-  WindowPool& pool = wavefront_.pool();
-  for (bool ends = false; !ends;) {
-    ends = pool[window].ends_run;
-    pool.release(std::exchange(window, pool[window].next));
-  }
+  return depth;
 }
 
 /// Drops the parts of the list that something lower has come to since, at an edge of more than two faces.
@@ -176,12 +163,11 @@ void Propagation::list_parts(std::span<const Window> windows) {
   }
 }
 
-/// Carries the list across the face of a half-edge.
-void Propagation::pass(Index half_edge) {
+/// Carries the list, which has crossed `depth` faces at least, across the face of a half-edge.
+void Propagation::pass(Index half_edge, std::uint32_t depth) {
   const bool is_copy = surface_.is_copy(half_edge / 3);
   if (is_copy && !keep_ && watched_.empty()) return;
   const Apex apex(surface_, half_edge);
-  const std::uint32_t depth = list_.front().depth;  // of all
   filter(apex);
   if (list_.empty()) return;
   if (list_.size() > 1 && depth <= deepest_merge_ && !surface_.is_fan(half_edge))
@@ -196,9 +182,9 @@ void Propagation::pass(Index half_edge) {
   if (is_copy) return;
   if (depth >= 2 * deepest_merge_) return;  // a line that goes straight over as many faces as there are meets one twice
   if (list_.size() == 1)
-    cross_alone(apex, Window(list_[0]));  // what goes on at once may take its place
+    cross_alone(apex, Window(list_[0]), depth);  // what goes on at once may take its place
   else
-    cross(apex);
+    cross(apex, depth);
 }
 
 /// Xin and Wang's filter, and the trimming that follows from it: |image x| - x falls along the half-edge, so where the
@@ -269,7 +255,7 @@ void Propagation::pass_alone(Index half_edge, const Window& window) {
     return;
   }
   ++counts_.passes, ++counts_.propagated;
-  if (window.depth < 2 * deepest_merge_) cross_alone(apex, window);
+  if (window.depth < 2 * deepest_merge_) cross_alone(apex, window, window.depth);
 }
 
 /// Whether the filter drops all of a window. (Squares are compared in place of roots.)
@@ -283,25 +269,25 @@ bool Propagation::is_needless(const Window& w, const Apex& apex) const {
   return longer(w.high, over_start) || longer(w.low, over_end);
 }
 
-void Propagation::cross_alone(const Apex& apex, const Window& window) {
+void Propagation::cross_alone(const Apex& apex, const Window& window, std::uint32_t depth) {
   const bool left = has_left(apex, window), right = has_right(apex, window);
   if (left && right)
     lower_apex_straight(apex, window);
   else
     lower_apex_bent(apex, window, left ? window.high : window.low);
   lower_along_edges(apex);
-  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, window, right), apex, apex.c);
-  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, window, left), apex, apex.b);
+  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, window, right, depth), apex, apex.c);
+  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, window, left, depth), apex, apex.b);
 }
 
-void Propagation::cross(const Apex& apex) {
+void Propagation::cross(const Apex& apex, std::uint32_t depth) {
   const Split split = split_at(apex);
-  if (!split.in_order) return carry_one_by_one(apex);
+  if (!split.in_order) return carry_one_by_one(apex, depth);
   lower_apex(apex, split);
   const std::span<const Window> list(list_);
-  carry_left(apex, list.first(split.covered() ? split.last_best : split.left_end), split.right_begin);
+  carry_left(apex, list.first(split.covered() ? split.last_best : split.left_end), split.right_begin, depth);
   const std::size_t first_right = split.covered() ? split.first_best : split.right_begin;
-  carry_right(apex, list.subspan(first_right), split.left_end - std::min(split.left_end, first_right));
+  carry_right(apex, list.subspan(first_right), split.left_end - std::min(split.left_end, first_right), depth);
 }
 
 /// Parts the list by the lines to the apex. Windows whose lines cross beyond the half-edge may not lie to the left and
@@ -357,7 +343,7 @@ void Propagation::lower_apex_by(const Apex& apex, const Window& window, double x
   lower_apex_from(apex, image, x, value, [] { return Step{}; });
 }
 
-void Propagation::carry_one_by_one(const Apex& apex) {
+void Propagation::carry_one_by_one(const Apex& apex, std::uint32_t depth) {
   const auto both = [&](const Window& w) { return has_left(apex, w) && has_right(apex, w); };
   double lowest = infinity;
   std::size_t best = list_.size();
@@ -380,48 +366,52 @@ void Propagation::carry_one_by_one(const Apex& apex) {
   const auto left = choose([&](std::size_t i) {
     return has_left(apex, list_[i]) && (!both(list_[i]) || i <= best || keeps_both(list_[i]));
   });
-  carry_left(apex, left, left.size());
+  carry_left(apex, left, left.size(), depth);
   const auto right = choose([&](std::size_t i) {
     return has_right(apex, list_[i]) && (!both(list_[i]) || i >= best || keeps_both(list_[i]));
   });
-  carry_right(apex, right, 0);
+  carry_right(apex, right, 0, depth);
 }
 
 /// The lines of a window to the left of the apex; with `clipped` it also has lines to the apex, or beyond it.
-Window Propagation::carried_left(const Apex& apex, const Window& window, bool clipped) const {
+Window Propagation::carried_left(const Apex& apex, const Window& window, bool clipped,
+                                   std::uint32_t depth) const {
   const Turn turn = turn_left(apex);
   const TurnedImage<double> image(turn, window.x, window.y);
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = image.low(window.low), child.high = clipped ? turn.limit : image.high(window.high);
-  child.cross(Entry::left);
+  child.enter(Entry::left, depth + 1);
   return child;
 }
 
 /// The lines to the right of the apex.
-Window Propagation::carried_right(const Apex& apex, const Window& window, bool clipped) const {
+Window Propagation::carried_right(const Apex& apex, const Window& window, bool clipped,
+                                   std::uint32_t depth) const {
   const Turn turn = turn_right(apex);
   const TurnedImage<double> image(turn, window.x, window.y);
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = clipped ? 0 : image.low(window.low), child.high = image.high(window.high);
-  child.cross(Entry::right);
+  child.enter(Entry::right, depth + 1);
   return child;
 }
 
 /// Windows from `clipped` on also have lines to the apex, or beyond it.
-void Propagation::carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
+void Propagation::carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped,
+                             std::uint32_t depth) {
   if (windows.empty() || apex.left_is_boundary()) return;
   child_.clear();
-  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_left(apex, windows[i], i >= clipped));
+  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_left(apex, windows[i], i >= clipped, depth));
   send(apex.left());
 }
 
 /// Windows before `clipped` also have lines to the apex, or beyond it.
-void Propagation::carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
+void Propagation::carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped,
+                             std::uint32_t depth) {
   if (windows.empty() || apex.right_is_boundary()) return;
   child_.clear();
-  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_right(apex, windows[i], i < clipped));
+  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_right(apex, windows[i], i < clipped, depth));
   send(apex.right());
 }
 
@@ -468,7 +458,7 @@ void Propagation::hand_on(std::span<const Window> run, Index edge) {
   surface_.for_each_across(edge, [&](Index half_edge, bool is_mirrored) {
     WindowList present = std::exchange(list_, {is_mirrored ? mirrored(window, surface_.length(edge)) : window});
     ++counts_.created;
-    pass(half_edge);
+    pass(half_edge, window.depth);
     list_ = std::move(present);  // where it was in memory: a pass may be going on there
   });
 }

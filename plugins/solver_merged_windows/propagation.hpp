@@ -93,13 +93,11 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void lowered_at_source(Index vertex, double distance, Index source);
 
   void process(Index half_edge, Index window);
-  void gather(Index window);
-  Index copy_run(Index window, WindowList& list);
-  void release_run(Index window);
+  std::uint32_t gather(Index window);
   void keep_nearest(Index half_edge);
   void list_pieces(std::span<const Window> windows);
   void list_parts(std::span<const Window> windows);
-  void pass(Index half_edge);
+  void pass(Index half_edge, std::uint32_t depth);
   void filter(const Apex& apex);
   double sine_below(Index half_edge) const;
   void merge(const Apex& apex);
@@ -108,8 +106,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   void pass_alone(Index half_edge, const Window& window);
   bool is_needless(const Window& window, const Apex& apex) const;
-  void cross_alone(const Apex& apex, const Window& window);
-  void cross(const Apex& apex);
+  void cross_alone(const Apex& apex, const Window& window, std::uint32_t depth);
+  void cross(const Apex& apex, std::uint32_t depth);
   Split split_at(const Apex& apex) const;
   void lower_apex(const Apex& apex, const Split& split);
   void lower_apex_straight(const Apex& apex, const Window& window);
@@ -117,11 +115,11 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void lower_apex_by(const Apex& apex, const Window& window, double x, double value);
   bool same_source(const Window& a, const Window& b) const;
 
-  void carry_one_by_one(const Apex& apex);
-  void carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
-  void carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
-  Window carried_left(const Apex& apex, const Window& window, bool clipped) const;
-  Window carried_right(const Apex& apex, const Window& window, bool clipped) const;
+  void carry_one_by_one(const Apex& apex, std::uint32_t depth);
+  void carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped, std::uint32_t depth);
+  void carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped, std::uint32_t depth);
+  Window carried_left(const Apex& apex, const Window& window, bool clipped, std::uint32_t depth) const;
+  Window carried_right(const Apex& apex, const Window& window, bool clipped, std::uint32_t depth) const;
   void send(Index edge);
   void hand_on_alone(const Window& window, const Apex& apex, int i);
   void hand_on(std::span<const Window> run, Index edge);

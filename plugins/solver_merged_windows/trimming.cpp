@@ -39,17 +39,19 @@ void Trimming::trim(WindowList& list) {
   list.resize(end);
 }
 
-bool Trimming::join(WindowList& list, std::size_t middle) {
+bool Trimming::join(WindowList& list, std::size_t& middle) {
+  lows_.clear();
+  for (std::size_t i = middle; i < list.size(); ++i) lows_.push_back(list[i].low);
   const Seam seam = trim_seam(Row{list.data()}, middle, list.size());
-  if (!seam.in_order) {
-    list.resize(seam.left);
-    return false;
+  if (!seam.in_order)
+    for (std::size_t i = middle; i < list.size(); ++i) list[i].low = lows_[i - middle];
+  const std::size_t right = seam.in_order ? seam.right : middle;
+  if (right > seam.left) {
+    dropped_ += right - seam.left;
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(seam.left), list.begin() + static_cast<std::ptrdiff_t>(right));
+    middle = seam.left;
   }
-  if (seam.right == seam.left) return true;
-  dropped_ += seam.right - seam.left;
-  list.erase(list.begin() + static_cast<std::ptrdiff_t>(seam.left),
-             list.begin() + static_cast<std::ptrdiff_t>(seam.right));
-  return true;
+  return seam.in_order;
 }
 
 void Trimming::merge(WindowList& list, std::span<const Window> other) {

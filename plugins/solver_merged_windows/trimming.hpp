@@ -20,9 +20,10 @@ class Trimming {
   void trim(WindowList& list);
   const std::vector<std::uint32_t>& breaks() const { return breaks_; }
 
-  /// Trims at the seam of the two ordered lists of disjoint windows that `list` holds, the second of which begins at
-  /// `middle` and enters to the right of the first. False, with the second left out, if they cannot be put in order.
-  bool join(WindowList& list, std::size_t middle);
+  /// Trims at the seam of the two ordered rows of disjoint windows that `list` holds, the second of which begins at
+  /// `middle` and enters to the right of the first. False if they cannot be put in order: then the second row is as it
+  /// was, and the first is without what is not needed.
+  bool join(WindowList& list, std::size_t& middle);
 
   /// Merges disjoint, ascending windows of which nothing is known about how they enter into a list of such: at every
   /// point the lower one stays. A window may come out in pieces. O(n + m).
@@ -33,6 +34,7 @@ class Trimming {
 
  private:
   std::vector<std::uint32_t> breaks_;
+  std::vector<double> lows_;
   WindowList envelope_;
   std::uint64_t dropped_ = 0;
 };

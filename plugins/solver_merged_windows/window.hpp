@@ -34,8 +34,8 @@ struct alignas(64) Window {
 
   /// How its lines entered the face below.
   Entry entry() const { return static_cast<Entry>(entry_bits); }
-  /// Marks that it has crossed one face more, which it entered so, seen from the next half-edge.
-  void cross(Entry entry) { depth = depth + 1, from_face_below = 0, set_entry(entry); }
+  /// Marks that it has crossed its faces so far, the last of which it entered so.
+  void enter(Entry entry, std::uint32_t faces) { depth = faces & deepest, from_face_below = 0, set_entry(entry); }
   void set_entry(Entry entry) { entry_bits = static_cast<std::uint32_t>(entry) & 3U; }
 
   /// L of a point, if a line of the window goes there.
