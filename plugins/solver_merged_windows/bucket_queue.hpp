@@ -52,7 +52,9 @@ class BucketQueue {
   template <class Visit>
   void look_ahead(std::size_t count, Visit&& visit) const {
     const std::size_t place = is_heap_ ? count : taken_ + count;
-    if (place < present_.size()) visit(present_[place].element);
+    if (place < present_.size()) return visit(present_[place].element);
+    const std::vector<Entry>& next = ring_[static_cast<std::size_t>((present_number_ + 1) % size)];
+    if (place - present_.size() < next.size()) visit(next[place - present_.size()].element);
   }
 
   std::size_t bytes() const;

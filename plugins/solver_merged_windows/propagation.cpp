@@ -56,8 +56,7 @@ void Propagation::begin(bool keep, double limit) {
 }
 
 void Propagation::next() {
-  const Wavefront::Next next = wavefront_.pop();
-  wavefront_.fetch_ahead([this](Index vertex) {
+  const Wavefront::Next next = wavefront_.pop([this](Index vertex) {
     __builtin_prefetch(&labels_[vertex]);
     __builtin_prefetch(&upper_[vertex]);
   });

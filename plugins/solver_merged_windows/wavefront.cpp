@@ -20,19 +20,16 @@ double least_value(std::span<const Window> run) {
 
 void Wavefront::clear() {
   while (!empty()) {
-    for (Index window = pop().window; window != no_index;) pool_.release(std::exchange(window, pool_[window].next));
+    for (Index window = pop([](Index) {}).window; window != no_index;) pool_.release(std::exchange(window, pool_[window].next));
   }
   queue_.clear();
 }
 
-Wavefront::Next Wavefront::pop() {
-  BucketQueue::Entry entry;
-  do entry = queue_.pop();
-  while (entry.key != slots_[entry.element].key);
+Wavefront::Next Wavefront::taken(Index element) {
   --waiting_;
-  const Slot slot = std::exchange(slots_[entry.element], {});
-  if (entry.element >= half_edges_) return {no_index, no_index, entry.element - half_edges_};
-  return {entry.element, slot.first, no_index};
+  const Slot slot = std::exchange(slots_[element], {});
+  if (element >= half_edges_) return {no_index, no_index, element - half_edges_};
+  return {element, slot.first, no_index};
 }
 
 std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double limit) {

@@ -30,29 +30,14 @@ class Wavefront {
   struct Next {
     Index half_edge = no_index, window = no_index, vertex = no_index;
   };
-  /// Precondition: not empty.
-  Next pop();
-
-  /// Fetches the memory that the half-edges which come soon will need. `fetch_vertex(v)` is called for the corners of
-  /// the face of one of them.
+  /// Takes the next, and fetches the memory that those after it will need; `fetch_vertex(v)` is called for vertices that
+  /// one of them will need. Precondition: not empty.
   template <class FetchVertex>
-  void fetch_ahead(FetchVertex&& fetch_vertex) const {
-    queue_.look_ahead(8, [&](Index soon) {
-      if (soon >= half_edges_) return;
-      const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
-      __builtin_prefetch(face), __builtin_prefetch(face + 64);
-      __builtin_prefetch(&slots_[soon]);
-    });
-    queue_.look_ahead(4, [&](Index soon) {
-      if (soon >= half_edges_) return;
-      const PackedMesh::Face& face = surface_.face_of(soon);
-      for (int i = 0; i < 3; ++i) {
-        fetch_vertex(face.vertex[i]);
-        const Index across = PackedMesh::only_across(face, i).half_edge;
-        if (across != no_index) __builtin_prefetch(&slots_[across]);
-      }
-      if (slots_[soon].first != no_index) __builtin_prefetch(&pool_[slots_[soon].first]);
-    });
+  Next pop(FetchVertex&& fetch_vertex) {
+    BucketQueue::Entry entry;
+    do entry = queue_.pop(), fetch_ahead(fetch_vertex);
+    while (entry.key != slots_[entry.element].key);
+    return taken(entry.element);
   }
 
   void push_vertex(Index vertex, double distance) { wait(half_edges_ + vertex, key_of(distance)); }
@@ -76,6 +61,26 @@ class Wavefront {
   };
 
   static float key_of(double distance) { return static_cast<float>(std::min(distance, 1e38)); }
+  template <class FetchVertex>
+  void fetch_ahead(FetchVertex&& fetch_vertex) const {
+    queue_.look_ahead(10, [&](Index soon) {
+      __builtin_prefetch(&slots_[soon]);
+      if (soon >= half_edges_) return;
+      const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
+      __builtin_prefetch(face), __builtin_prefetch(face + 64);
+    });
+    queue_.look_ahead(4, [&](Index soon) {
+      if (soon >= half_edges_) return;
+      const PackedMesh::Face& face = surface_.face_of(soon);
+      for (int i = 0; i < 3; ++i) {
+        fetch_vertex(face.vertex[i]);
+        const Index across = PackedMesh::only_across(face, i).half_edge;
+        if (across != no_index) __builtin_prefetch(&slots_[across]);
+      }
+      if (slots_[soon].first != no_index) __builtin_prefetch(&pool_[slots_[soon].first]);
+    });
+  }
+  Next taken(Index element);
   void insert_run(Index first, Index last, Index half_edge);
   void wait(Index element, float key) {
     Slot& slot = slots_[element];

@@ -23,7 +23,7 @@ namespace geodrome {
 /// checked.
 class PackedMesh {
  public:
-  struct Face {
+  struct alignas(32) Face {     // two cache lines, wherever it stands
     double length[3];           ///< of half-edge i
     double cosine[3], sine[3];  ///< of the angle at corner i
     Index vertex[3];
