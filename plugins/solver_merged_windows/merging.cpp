@@ -91,51 +91,52 @@ bool Merging::merged(std::span<const Window> windows, const Ends* ends, const Ed
   return false;
 }
 
-/// Checks a merged window against the old ones, and gives it its slack: wherever L is changed, U stays what it was at
-/// least. L of an old window less L of the merged one is extreme at the ends of a piece and where the line through both
-/// images meets the half-edge.
-Merging::Fit Merging::settle(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& merged) const {
-  const double low = merged.low, high = merged.high, r = ends[0].l_low - merged.sigma;
-  const double size = ends[0].l_low + r, noise = rounding_of_l * size;
-  const auto slope_at = [&](double place, double l) { return (place - merged.x) / (l - merged.sigma); };
-  double l_low = ends[0].l_low, slope_low = slope_at(low, l_low);
-  double slack = 0, most_drop = 0, most_turn = 0, steepest = std::abs(slope_low);
-  bool continuous = true;
-  for (std::size_t i = 0; i < windows.size(); ++i) {
-    const Window& old = windows[i];
-    const bool is_last = i + 1 == windows.size();
-    const double l_high = is_last ? ends[i].l_high : merged.at(old.high);
-    const double slope_high = slope_at(old.high, l_high);
-    double least = ends[i].l_high - l_high, most = least;
-    const auto look_at = [&](double gap) { least = std::min(least, gap), most = std::max(most, gap); };
-    look_at(ends[i].l_low - l_low);
-    const double turn = old.x + (merged.x - old.x) * (old.y / (old.y - merged.y));
-    if (old.low < turn && turn < old.high) look_at(old.at(turn) - merged.at(turn));
-    if (least < -noise) return Fit::above;
+/// Notes how one old window differs from the merged one. L of the old less L of the merged one is extreme at the ends of
+/// the piece and where the line through both images meets the half-edge; slopes rise along it.
+void Merging::compare(const Window& old, const Ends& ends, const Window& merged, const Place& low, const Place& high,
+                      Differences& all) {
+  double least = ends.l_high - high.l, most = least;
+  const auto look_at = [&](double gap) { least = std::min(least, gap), most = std::max(most, gap); };
+  look_at(ends.l_low - low.l);
+  const double turn = old.x + (merged.x - old.x) * (old.y / (old.y - merged.y));
+  if (old.low < turn && turn < old.high) look_at(old.at(turn) - merged.at(turn));
+  all.rise = std::max(all.rise, -least);
+  all.drop = std::max(all.drop, most);
+  all.slack = std::max(all.slack, old.slack + std::max(most, 0.0));
+  all.turn = std::max({all.turn, std::abs(ends.slope_high - low.slope), std::abs(high.slope - ends.slope_low)});
+  all.steepest = std::max({all.steepest, std::abs(ends.slope_low), std::abs(ends.slope_high)});
+}
 
-    slack = std::max(slack, old.slack + std::max(most, 0.0));
-    most_drop = std::max(most_drop, most);
-    most_turn = std::max({most_turn, ends[i].slope_high - slope_low, slope_low - ends[i].slope_high,
-                          slope_high - ends[i].slope_low, ends[i].slope_low - slope_high});
-    steepest = std::max({steepest, std::abs(ends[i].slope_low), std::abs(ends[i].slope_high)});
-    if (is_last) {
-      steepest = std::max(steepest, std::abs(slope_high));
-    } else {
-      continuous = continuous && std::abs(ends[i + 1].l_low - ends[i].l_high) <= equal_share * size;
-      const double next_low = windows[i + 1].low;
-      l_low = next_low == old.high ? l_high : merged.at(next_low);
-      slope_low = next_low == old.high ? slope_high : slope_at(next_low, l_low);
-    }
+/// Checks a merged window against the old ones, and gives it its slack.
+Merging::Fit Merging::settle(std::span<const Window> windows, const Ends* ends, const Edge& edge,
+                             Window& merged) const {
+  const auto place_at = [&](double x, double l) { return Place{l, (x - merged.x) / (l - merged.sigma)}; };
+  const std::size_t count = windows.size();
+  const double size = 2 * ends[0].l_low - merged.sigma;  // L and |image p| at the low end
+  Place low = place_at(merged.low, ends[0].l_low);
+  Differences all{.steepest = std::abs(low.slope)};
+  double old_slack = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Window& old = windows[i];
+    const bool is_last = i + 1 == count;
+    const Place high = place_at(old.high, is_last ? ends[i].l_high : merged.at(old.high));
+    compare(old, ends[i], merged, low, high, all);
+    old_slack = std::max(old_slack, old.slack);
+    low = high;
+    if (is_last) break;
+    all.jump = std::max(all.jump, std::abs(ends[i + 1].l_low - ends[i].l_high));
+    if (const double next = windows[i + 1].low; next != old.high) low = place_at(next, merged.at(next));
   }
-  slack += rounding_of_u * size;
-  double most_slack = 0;
-  for (const Window& old : windows) most_slack = std::max(most_slack, old.slack);
-  const double allowed = delta_ * 0.5 * (ends[0].l_low + ends[windows.size() - 1].l_high - (high - low));
-  if (!(slack <= most_slack + share_of_slack * (allowed - most_slack))) return Fit::costly;
+  if (all.rise > rounding_of_l * size) return Fit::above;
+
+  merged.slack = all.slack + rounding_of_u * size;
+  const double most_slack = delta_ * 0.5 * (ends[0].l_low + ends[count - 1].l_high - (merged.high - merged.low));
+  if (!(merged.slack <= old_slack + share_of_slack * (most_slack - old_slack))) return Fit::costly;
+  const double steepest = std::max(all.steepest, std::abs(low.slope));
   const double room = edge.sine * (1 - steepest * steepest);
-  if (!(continuous && most_turn <= room) && !(most_drop <= room * std::min(low, edge.length - high))) return Fit::costly;
-  merged.slack = slack;
-  return Fit::fits;
+  const bool gradual = all.jump <= equal_share * size && all.turn <= room;
+  const bool small = all.drop <= room * std::min(merged.low, edge.length - merged.high);
+  return gradual || small ? Fit::fits : Fit::costly;
 }
 
 }  // namespace geodrome::merged_windows

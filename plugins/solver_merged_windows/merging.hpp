@@ -58,13 +58,31 @@ class Merging {
     double l_low, l_high, slope_low, slope_high;
     bool joins_next = false;
   };
-  enum class Fit { fits, above, costly };
+  /// L of a merged window and its slope at a place.
+  struct Place {
+    double l, slope;
+  };
+  /// The largest differences between old windows and the one that they become.
+  struct Differences {
+    double rise = 0, drop = 0;  ///< of L
+    double slack = 0;           ///< with which U nowhere falls
+    double turn = 0;            ///< between slopes anywhere in a piece
+    double jump = 0;            ///< of the old L from window to window
+    double steepest = 0;        ///< slope
+  };
+  enum class Fit {
+    fits,
+    above,  ///< L is higher somewhere
+    costly  ///< L falls more than slack or condition 3 of the proof allow
+  };
 
   void list_ends(std::span<const Window> windows);
   static bool touch(const Window& left, const Window& right, const Edge& edge);
   std::size_t group_from(std::span<const Window> windows, std::size_t first, std::size_t most, const Edge& edge,
                          Window& window);
   bool merged(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& window) const;
+  static void compare(const Window& old, const Ends& ends, const Window& merged, const Place& low, const Place& high,
+                      Differences& all);
   Fit settle(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& merged) const;
 
   double delta_;
