@@ -11,10 +11,10 @@
 
 namespace geodrome::merged_windows {
 
-/// A queue of elements with keys >= 0, about the lowest first. An element may be in it several times; who takes it knows
-/// whether an entry still counts. Entries lie in buckets of equal width, a ring of them, and beyond its end in a list.
-/// The present bucket is taken in the order in which entries came, until more come into it while it is taken than it
-/// had: then its keys differ by more than a few edges, and it becomes a heap. Push and pop cost O(1) where entries
+/// A queue of elements with keys >= 0, about the lowest first. An element may be in it several times; who takes it
+/// knows whether an entry still counts. Entries lie in buckets of equal width, a ring of them, and beyond its end in a
+/// list. The present bucket is taken in the order in which entries came, until more come into it while it is taken than
+/// it had: then its keys differ by more than a few edges, and it becomes a heap. Push and pop cost O(1) where entries
 /// spread over many buckets.
 class BucketQueue {
  public:
@@ -65,9 +65,7 @@ class BucketQueue {
   static constexpr float farthest = 1e15F;  ///< all beyond it is one bucket
   static constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::max();
 
-  static bool later(const Entry& a, const Entry& b) {
-    return a.key != b.key ? b.key < a.key : b.element < a.element;
-  }
+  static bool later(const Entry& a, const Entry& b) { return a.key != b.key ? b.key < a.key : b.element < a.element; }
   static std::int64_t bucket_of(float key) {
     return static_cast<std::int64_t>(std::min(key, farthest) * buckets_a_unit);
   }

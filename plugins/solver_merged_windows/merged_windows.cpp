@@ -9,9 +9,7 @@
 
 namespace geodrome {
 
-double MergedWindowsSolver::factor(const OptionValues* values) noexcept {
-  return 1 + options.parsed(*values).delta;
-}
+double MergedWindowsSolver::factor(const OptionValues* values) noexcept { return 1 + options.parsed(*values).delta; }
 
 std::unique_ptr<PreparedSurface> MergedWindowsSolver::prepare(MeshPtr mesh, RunContext& context) const {
   constexpr std::size_t most_faces = merged_windows::Window::deepest / 2;

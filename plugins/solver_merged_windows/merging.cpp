@@ -91,8 +91,8 @@ bool Merging::merged(std::span<const Window> windows, const Ends* ends, const Ed
   return false;
 }
 
-/// Notes how one old window differs from the merged one. L of the old less L of the merged one is extreme at the ends of
-/// the piece and where the line through both images meets the half-edge; slopes rise along it.
+/// Notes how one old window differs from the merged one. L of the old less L of the merged one is extreme at the ends
+/// of the piece and where the line through both images meets the half-edge; slopes rise along it.
 void Merging::compare(const Window& old, const Ends& ends, const Window& merged, const Place& low, const Place& high,
                       Differences& all) {
   double least = ends.l_high - high.l, most = least;

@@ -11,8 +11,8 @@
 namespace geodrome::merged_windows {
 
 /// Makes neighbouring windows of a half-edge into one, so that L is nowhere higher than before and U nowhere lower, and
-/// the slack stays within `delta` times L. README.md proves that then every vertex v has a value l(v), the least L, with
-/// l(v) <= d(v) <= D(v) <= (1 + delta) l(v). One per thread.
+/// the slack stays within `delta` times L. README.md proves that then every vertex v has a value l(v), the least L,
+/// with l(v) <= d(v) <= D(v) <= (1 + delta) l(v). One per thread.
 class Merging {
  public:
   struct Counts {
@@ -22,8 +22,8 @@ class Merging {
   explicit Merging(double delta) : delta_(delta) {}
 
   /// A half-edge, and how near a line through a point of it, inside the face below, lets the corner at that point be
-  /// cut, as a share of the point's distance from the nearer end: the sine of the smaller angle of that face at the ends
-  /// of the half-edge, with 1 for an obtuse one.
+  /// cut, as a share of the point's distance from the nearer end: the sine of the smaller angle of that face at the
+  /// ends of the half-edge, with 1 for an obtuse one.
   struct Edge {
     double length, sine;
   };

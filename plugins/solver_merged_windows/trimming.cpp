@@ -48,7 +48,8 @@ bool Trimming::join(WindowList& list, std::size_t& middle) {
   const std::size_t right = seam.in_order ? seam.right : middle;
   if (right > seam.left) {
     dropped_ += right - seam.left;
-    list.erase(list.begin() + static_cast<std::ptrdiff_t>(seam.left), list.begin() + static_cast<std::ptrdiff_t>(right));
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(seam.left),
+               list.begin() + static_cast<std::ptrdiff_t>(right));
     middle = seam.left;
   }
   return seam.in_order;

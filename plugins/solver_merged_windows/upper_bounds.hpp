@@ -8,8 +8,8 @@
 
 namespace geodrome::merged_windows {
 
-/// How a path goes on from a vertex: through a kept window, along an edge to another vertex, not at all (`vertex` is the
-/// vertex itself: a source), or (neither) straight to its source.
+/// How a path goes on from a vertex: through a kept window, along an edge to another vertex, not at all (`vertex` is
+/// the vertex itself: a source), or (neither) straight to its source.
 struct Step {
   Index window = no_index, vertex = no_index;
 };

@@ -20,7 +20,8 @@ double least_value(std::span<const Window> run) {
 
 void Wavefront::clear() {
   while (!empty()) {
-    for (Index window = pop([](Index) {}).window; window != no_index;) pool_.release(std::exchange(window, pool_[window].next));
+    for (Index window = pop([](Index) {}).window; window != no_index;)
+      pool_.release(std::exchange(window, pool_[window].next));
   }
   queue_.clear();
 }

@@ -13,8 +13,8 @@
 
 namespace geodrome::merged_windows {
 
-/// What waits: windows at half-edges and vertices that are to emit, nearest first. Windows of a half-edge are a chain of
-/// runs: one of each entry in their order, then those that are loose.
+/// What waits: windows at half-edges and vertices that are to emit, nearest first. Windows of a half-edge are a chain
+/// of runs: one of each entry in their order, then those that are loose.
 class Wavefront {
  public:
   explicit Wavefront(const PackedMesh& surface)
@@ -30,8 +30,8 @@ class Wavefront {
   struct Next {
     Index half_edge = no_index, window = no_index, vertex = no_index;
   };
-  /// Takes the next, and fetches the memory that those after it will need; `fetch_vertex(v)` is called for vertices that
-  /// one of them will need. Precondition: not empty.
+  /// Takes the next, and fetches the memory that those after it will need; `fetch_vertex(v)` is called for vertices
+  /// that one of them will need. Precondition: not empty.
   template <class FetchVertex>
   Next pop(FetchVertex&& fetch_vertex) {
     BucketQueue::Entry entry;

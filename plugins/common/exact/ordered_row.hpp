@@ -76,8 +76,8 @@ struct Seam {
 };
 
 /// Trims at the seam of two ordered rows of disjoint windows, [0, middle) and [middle, end), the second of which enters
-/// to the right of the first. Not `in_order` if they cannot be put in order; what the first row lost is not needed then,
-/// and the second is to be used as it was before.
+/// to the right of the first. Not `in_order` if they cannot be put in order; what the first row lost is not needed
+/// then, and the second is to be used as it was before.
 template <class Row>
 Seam trim_seam(const Row& row, std::size_t middle, std::size_t end) {
   std::size_t left = middle, right = middle;
@@ -91,7 +91,8 @@ Seam trim_seam(const Row& row, std::size_t middle, std::size_t end) {
       else
         count = half;
     }
-    return over > first && row.high(over - 1) >= place && nearer(row.image(over - 1).at(place), row.image(of).at(place));
+    return over > first && row.high(over - 1) >= place &&
+           nearer(row.image(over - 1).at(place), row.image(of).at(place));
   };
   while (left > 0 && right < end) {
     switch (settle_in_row(row, left - 1, right)) {

@@ -40,7 +40,11 @@ template <class Number>
 class TurnedImage {
  public:
   TurnedImage(const Turn& turn, const Number& px, const Number& py)
-      : cosine_(turn.cosine), sine_(turn.sine), pivot_(turn.pivot), shift_(turn.shift), limit_(turn.limit),
+      : cosine_(turn.cosine),
+        sine_(turn.sine),
+        pivot_(turn.pivot),
+        shift_(turn.shift),
+        limit_(turn.limit),
         away_(turn.away) {
     const Number out = px - pivot_, computed = cosine_ * py - sine_ * out;
     x_ = cosine_ * out + sine_ * py + shift_;

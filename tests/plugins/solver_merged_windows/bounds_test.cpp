@@ -28,7 +28,8 @@ Bounds bounds_of(const MeshPtr& mesh, const std::vector<Source>& sources, double
     propagation.seed({sources[i].at, std::ldexp(sources[i].start, surface.exponent())}, i);
   const QuietContext context;
   propagation.run(context, [] { return infinity; });
-  Bounds bounds{std::vector<double>(mesh->vertex_count(), infinity), std::vector<double>(mesh->vertex_count(), infinity)};
+  Bounds bounds{std::vector<double>(mesh->vertex_count(), infinity),
+                std::vector<double>(mesh->vertex_count(), infinity)};
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     bounds.lower[surface.original_vertex(v)] = std::ldexp(propagation.lower_bound(v), -surface.exponent());
     bounds.upper[surface.original_vertex(v)] = std::ldexp(propagation.answer(v).distance, -surface.exponent());

@@ -56,8 +56,7 @@ TEST(MergedWindows, PathsAreNoLongerThanTheDistance) {
   shapes::Random random(41);
   for (const double delta : {0.3, 1e-2, 1e-3}) {
     for (const MeshPtr& mesh : random_meshes(3)) expect_paths(mesh, delta, random);
-    for (std::uint64_t seed = 100; seed < 130; ++seed)
-      expect_paths(share(shapes::fuzz_mesh(seed).mesh), delta, random);
+    for (std::uint64_t seed = 100; seed < 130; ++seed) expect_paths(share(shapes::fuzz_mesh(seed).mesh), delta, random);
   }
 }
 
