@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "plugins/common/mesh/prefetch.hpp"
+
 namespace geodrome::merged_windows {
 namespace {
 
@@ -44,8 +46,8 @@ void Propagation::begin(bool keep, double limit) {
 
 void Propagation::next() {
   const Wavefront::Next next = wavefront_.pop([this](Index vertex) {
-    __builtin_prefetch(&labels_[vertex]);
-    __builtin_prefetch(&upper_[vertex]);
+    prefetch(&labels_[vertex]);
+    prefetch(&upper_[vertex]);
   });
   if (next.vertex != no_index)
     emit(next.vertex);
