@@ -73,4 +73,11 @@ concept AnswersAfterRun = FoundWay<typename P::Way> &&
 template <class P>
 concept MeshPropagation = StartsOnMesh<P> && RunsToLimit<P> && AnswersAfterRun<P>;
 
+/// A propagation that tells beside the answer for a vertex how short the true distance can be at least: no path below
+/// the limit is shorter. Infinite where nothing was found.
+template <class P>
+concept KnowsLowerBounds = MeshPropagation<P> && requires(const P& propagation, Index vertex) {
+  { propagation.lower_bound(vertex) } -> std::same_as<double>;
+};
+
 }  // namespace geodrome
