@@ -63,22 +63,17 @@ void throw_no_distance(double value, const std::string& whose) {
                        "choose another solver, and report this to the author of the plugin");
 }
 
-std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
-                                      const TargetList& targets, double max_distance, RunContext& context,
-                                      std::span<double> row) {
+const ShortestPathMap* search_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                  const TargetList& targets, double max_distance, RunContext& context,
+                                  std::span<double> row) {
   // With a single source its start distance only shifts the row, so no solver needs to know of it.
   const double radius = max_distance - source.start;
-  if (source.place.state != Place::State::on_surface || radius < 0) {
-    read_row(nullptr, source, targets, max_distance, row);
-    return {};
-  }
+  const ShortestPathMap* map = nullptr;
   const Source from{source.place.at, 0};
-  const ShortestPathMap& map =
-      run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
-  return cross_boundary(solver.plugin.info, [&] {
-    read_row(&map, source, targets, max_distance, row);
-    return map.counters();
-  });
+  if (source.place.state == Place::State::on_surface && radius >= 0)
+    map = &run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
+  cross_boundary(solver.plugin.info, [&] { read_row(map, source, targets, max_distance, row); });
+  return map;
 }
 
 void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
@@ -93,7 +88,8 @@ void read_row(const ShortestPathMap* map, const NamedPoint& source, const Target
 }
 
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
-                                        const TargetList& targets, double max_distance, RunContext& context) {
+                                        const TargetList& targets, double max_distance, RunContext& context,
+                                        const WatchNearest& watch) {
   if (std::ranges::any_of(sources, [](const NamedPoint& source) { return source.start > 0; }))
     demand(solver.plugin.info, Provides::start_distances);
   const DistanceRule rule{targets.bounded(), max_distance};
@@ -112,6 +108,7 @@ std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<
       nearest.push_back(
           cross_boundary(solver.plugin.info, [&] { return by_search(*map, starts, sources, target, rule); }));
   }
+  if (watch) watch(map, nearest);
   return nearest;
 }
 
@@ -136,7 +133,9 @@ PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, 
   });
   PathResult path;
   if (map && std::isfinite(along)) path = trace_path(solver, *map, end.place.at, mesh);
-  path.distance = DistanceRule{to.bounded()}(along, {from.place}, end);
+  // A path is real: one that is shorter than the distance is nearer to the true one.
+  const bool is_better = !path.points.empty() && path.length < along && !solver.provides(Provides::path_is_distance);
+  path.distance = DistanceRule{to.bounded()}(is_better ? path.length : along, {from.place}, end);
   return path;
 }
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,18 +28,28 @@ class WithoutProgress final : public Observer {
   Observer& observer_;
 };
 
+/// Is told of each search of source `i`: the map, and the surface that it is of. On the thread that made the row.
+using WatchRows = std::function<void(std::uint64_t i, const SurfaceMesh& mesh, const ShortestPathMap& map)>;
+
+/// What is wanted beside the distances.
+struct RowExtras {
+  bool bounds = false;  ///< each row is followed by that of its lower bounds: see `read_lower_bounds`
+  WatchRows watch;      ///< may be empty
+};
+
 /// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source.
 /// Thread-safe.
 class RowMaker {
  public:
   /// All must outlive it. `solver` has the reconstruction of `surfaces` prepared.
   RowMaker(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
-           double max_distance, std::uint64_t seed, Observer& observer);
+           double max_distance, std::uint64_t seed, Observer& observer, RowExtras extras = {});
 
-  std::size_t columns() const { return surfaces_.targets().size(); }
+  /// Numbers in a row, bounds included.
+  std::size_t columns() const { return (extras_.bounds ? 2 : 1) * surfaces_.targets().size(); }
   const PreparedSolver& solver() const { return solver_; }
 
-  /// Fills the row of source `i`. `search`: on the reconstruction. Throws as `distance_row`.
+  /// Fills the row of source `i`. `search`: on the reconstruction. Throws as `search_row`.
   void make(Search& search, std::uint64_t i, std::span<double> row);
 
   /// The counters of all searches so far.
@@ -47,7 +58,8 @@ class RowMaker {
   std::map<std::string, std::uint64_t> insertions() const;
 
  private:
-  void measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row);
+  void measure(const PreparedSolver& solver, Search& search, std::uint64_t i, const SourceSurface& on,
+               std::span<double> row);
 
   const PreparedSolver& solver_;
   const SourceSurfaces& surfaces_;
@@ -55,12 +67,13 @@ class RowMaker {
   double max_distance_;
   WithoutProgress quiet_;
   StageContext context_;
+  RowExtras extras_;
   CounterSum counters_;
   std::array<std::atomic<std::uint64_t>, 4> insertions_{};
 };
 
 /// Makes the rows of the set that the sink has not, over at most `threads` threads, each with a search of its own.
-/// Throws as `fill_rows` and `distance_row`.
+/// Throws as `fill_rows` and `search_row`.
 void compute_rows(const RowSet& rows, RowMaker& maker, RowSink& sink, unsigned threads, RunContext& context);
 
 }  // namespace geodrome

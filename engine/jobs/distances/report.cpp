@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/formats/number_text.hpp"
 #include "engine/formats/text.hpp"
 #include "engine/formats/text_stream.hpp"
 #include "engine/report/memory.hpp"
@@ -25,6 +26,13 @@ Json to_json(const InvariantCheck& check) {
   return json;
 }
 
+Json to_json(const IntervalFigures& certified) {
+  return {{"vertices", certified.vertices},
+          {"largest", to_json(certified.largest)},
+          {"mean", to_json(certified.mean())},
+          {"worst", to_json(certified.worst)}};
+}
+
 Json to_json(const MatrixResult& matrix) {
   Json json{{"rows", matrix.rows},       {"columns", matrix.columns},
             {"bytes", matrix.bytes},     {"resumed_rows", matrix.resumed_rows},
@@ -35,6 +43,7 @@ Json to_json(const MatrixResult& matrix) {
   json["counters"] = Json::object();
   for (const auto& [name, value] : matrix.counters) json["counters"][name] = value;
   if (!matrix.insertions.empty()) json["insertions"] = matrix.insertions;
+  if (matrix.certified) json["certified"] = to_json(*matrix.certified);
   const Invariants& i = matrix.invariants;
   json["invariants"] = {{"sampled_rows", i.rows},
                         {"scale", to_json(i.scale)},
@@ -73,8 +82,10 @@ Json to_json(const NearestAudit& audit) {
 }
 
 Json to_json(const NearestResult& nearest) {
-  return {{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
-          {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
+  Json json{{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
+            {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
+  if (nearest.certified) json["certified"] = to_json(*nearest.certified);
+  return json;
 }
 
 Json to_json(const AuditSummary& audit) {
@@ -96,6 +107,11 @@ Json to_json(const AuditSummary& audit) {
 
 bool is_weighted(const RunRecord& record) { return !record.start.input().weights.empty(); }
 
+std::string broken_interval(const IntervalFigures& certified, const std::string& whose) {
+  return "the audit failed: the interval " + whose + " certifies at vertex " + std::to_string(certified.worst_vertex) +
+         " of the surface misses by " + number_text(certified.worst) + " of the largest distance what must hold";
+}
+
 /// What the checks found that may not be, one line each.
 std::vector<std::string> broken_promises_of(const RunRecord& record) {
   std::vector<std::string> broken;
@@ -114,6 +130,8 @@ std::vector<std::string> broken_promises_of(const RunRecord& record) {
            std::to_string(i.euclid.violated) + " distances are shorter than " + least + "the straight line");
     demand(i.symmetry.holds(), std::to_string(i.symmetry.violated) + " pairs have two distances");
     demand(i.triangle.holds(), std::to_string(i.triangle.violated) + " triples break the triangle inequality");
+    if (const auto& certified = record.matrix->certified; certified && !certified->hold())
+      broken.push_back(broken_interval(*certified, "that row " + std::to_string(certified->worst_row)));
   }
   const auto demand_audit = [&](double worst, const std::string& where) {
     demand(worst <= audit_tolerance, "the audit failed: " + where);
@@ -121,6 +139,8 @@ std::vector<std::string> broken_promises_of(const RunRecord& record) {
   const AuditResult& audit = record.audit.worst;
   demand_audit(std::max(audit.worst_lipschitz, audit.worst_path), audit.where);
   demand_audit(record.audit.worst_given, record.audit.where_given);
+  if (record.nearest && record.nearest->certified && !record.nearest->certified->hold())
+    broken.push_back(broken_interval(*record.nearest->certified, "that the search from all sources"));
   if (record.nearest)
     for (std::string& what : broken_promises(record.nearest->audit)) broken.push_back(std::move(what));
   return broken;
@@ -139,6 +159,7 @@ Json run_json(const RunRecord& record) {
   if (record.matrix)
     json["output"] = record.job.matrix.string(),
     json["dtype"] = record.job.scalar == ScalarType::float64 ? "float64" : "float32";
+  if (!record.job.bounds.empty()) json["bounds"] = record.job.bounds.string();
   return json;
 }
 
@@ -169,6 +190,12 @@ void summarize_matrix(const RunRecord& record, std::ostream& out) {
   out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(record) << ")\n";
 }
 
+void summarize_certified(const std::optional<IntervalFigures>& certified, const char* of, std::ostream& out) {
+  if (!certified) return;
+  out << "certified  " << of << "off by at most " << certified->largest << " of the distance, " << certified->mean()
+      << " in the mean (" << certified->vertices << " vertices reached)\n";
+}
+
 void summarize_audit(const AuditSummary& audit, std::ostream& out) {
   if (!audit.not_audited.empty()) return void(out << "audit      not audited: " << audit.not_audited << "\n");
   out << "audit      " << audit.worst.faces << " faces, " << audit.worst.paths << " paths: worst violation "
@@ -197,6 +224,8 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Sampl
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
         << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "
         << record.nearest->seconds << " s\n";
+  if (record.matrix) summarize_certified(record.matrix->certified, "", out);
+  if (record.nearest) summarize_certified(record.nearest->certified, "nearest: ", out);
   if (record.matrix) summarize_audit(record.audit, out);
   if (record.nearest) summarize_audit(record.nearest->audit, out);
   if (sample) print_short(*sample, out);

@@ -89,6 +89,12 @@ class Session {
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
                  const DistanceOptions& options = {}, std::optional<RowSet> rows = std::nullopt) const;
 
+  /// Distances as above, with what the solver knows of the true ones from below: what it states by the extension
+  /// LowerBounds, else D / factor. Throws also CapabilityError for a solver that has neither, OptionError for
+  /// `printed`.
+  BoundedDistances bounded_distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                     const DistanceOptions& options = {}) const;
+
   /// For every target the distance from the nearest source, and the place of that in `sources`: one search on one
   /// thread. Throws OptionError for a start distance or a limit that is no number >= 0, CapabilityError for what the
   /// solver does not provide.
