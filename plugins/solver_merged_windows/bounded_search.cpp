@@ -34,8 +34,7 @@ Distance BoundedSearch::at(const SurfacePoint& point) const {
   Distance distance = upper_->at(point);
   if (!is_middle() || distance.reach != Reach::reached) return distance;
   const Index vertex = surface_->mesh().vertex_at(point);
-  const double delta = settings_.delta;
-  distance.value = vertex == no_index ? distance.value * ((2 + delta) / (2 + 2 * delta)) : middles_[vertex];
+  distance.value = vertex == no_index ? (distance.value / search_.factor() + distance.value) / 2 : middles_[vertex];
   return distance.value > radius_ ? Distance{infinity, Reach::beyond_limit, no_index} : distance;
 }
 
@@ -51,7 +50,7 @@ double BoundedSearch::lower_bound_at(const SurfacePoint& point) const {
   const Index vertex = surface_->mesh().vertex_at(point);
   if (vertex != no_index) return search_.lower_bound(vertex);
   if (distance.reach == Reach::unreachable) return infinity;
-  return std::min(distance.value, search_.complete_up_to()) / (1 + settings_.delta);
+  return std::min(distance.value, search_.complete_up_to()) / search_.factor();
 }
 
 }  // namespace geodrome::merged_windows

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "plugins/common/exact/propagation_search.hpp"
-#include "plugins/solver_merged_windows/propagation.hpp"
+#include "plugins/solver_merged_windows/fallback.hpp"
 #include "plugins/solver_merged_windows/settings.hpp"
 
 namespace geodrome::merged_windows {
 
 /// The search of this plugin: a propagation's, which answers D, with l beside it. With Value::middle it answers the
-/// middle of both: at a vertex of its l and D, at any other point of D / (1 + delta) and D, since l holds at vertices
-/// only. The map that `run` returns is the search itself. The middle costs O(V) a run.
+/// middle of both: at a vertex of its l and D, at any other point of D over the factor of the run and D, since l holds
+/// at vertices only. The map that `run` returns is the search itself. The middle costs O(V) a run.
 class BoundedSearch final : public Search, private ShortestPathMap {
  public:
   BoundedSearch(std::shared_ptr<const PackedMesh> surface, const Settings& settings);
@@ -38,7 +38,7 @@ class BoundedSearch final : public Search, private ShortestPathMap {
 
   std::shared_ptr<const PackedMesh> surface_;
   Settings settings_;
-  PropagationSearch<Propagation> search_;
+  PropagationSearch<Fallback> search_;
   const ShortestPathMap* upper_ = nullptr;  // of the last run
   double radius_ = 0;
   std::vector<double> middles_;

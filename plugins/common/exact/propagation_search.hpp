@@ -33,6 +33,8 @@ class PropagationSearch final : public KeptSearch {
   /// After a run: writes for every vertex, by the mesh's own numbers, a length that no path to it is below; +inf
   /// without any path. O(1) and O(V).
   double lower_bound(Index vertex) const requires KnowsLowerBounds<Propagation>;
+  /// After a run: the propagation's.
+  double factor() const requires KnowsLowerBounds<Propagation> { return propagation_.factor(); }
   void write_lower_bounds(std::span<double> bounds) const requires KnowsLowerBounds<Propagation>;
 
  private:
