@@ -44,7 +44,8 @@ std::vector<Source> sources_of(const MeshPtr& mesh, shapes::Random& random) {
   return sources;
 }
 
-void expect_intervals(const MeshPtr& mesh, const std::string& delta, shapes::Random& random, const std::string& name) {
+/// Returns whether all intervals are empty: the run was made with exact windows.
+bool expect_intervals(const MeshPtr& mesh, const std::string& delta, shapes::Random& random, const std::string& name) {
   Prepared upper(mesh, "merged_windows:delta=" + delta), middle(mesh, "merged_windows:value=middle,delta=" + delta),
       exact(mesh, "chen_han");
   const std::vector<Source> sources = sources_of(mesh, random);
@@ -64,16 +65,23 @@ void expect_intervals(const MeshPtr& mesh, const std::string& delta, shapes::Ran
     EXPECT_LE(std::abs(m - truth), std::stod(delta) / 2 * truth + slack) << name;
     EXPECT_LE(std::abs(m - truth), m - l + slack) << name;
   }
-  for (Index v = 0; v < mesh->vertex_count(); ++v)
-    if (mesh->first_half_edge(v) != no_index) {
-      EXPECT_EQ(mid.vertices()[v], mid.at(mesh->at_vertex(v)).value) << name;
-    }
+  bool exact_run = true;
+  for (Index v = 0; v < mesh->vertex_count(); ++v) {
+    if (mesh->first_half_edge(v) == no_index) continue;
+    const SurfacePoint at = mesh->at_vertex(v);
+    EXPECT_EQ(mid.vertices()[v], mid.at(at).value) << name;
+    exact_run = exact_run && upper.bounds().at(high, at) == high.vertices()[v];
+  }
+  return exact_run;
 }
 
 TEST(Intervals, HoldTheTruthAndTheirMiddleIsWithinHalfOfDelta) {
   shapes::Random random(5);
-  for (const char* delta : {"0.3", "1e-2", "1e-4"})
-    for (const MeshPtr& mesh : random_meshes(11)) expect_intervals(mesh, delta, random, delta);
+  std::size_t exact_runs = 0, runs = 0;
+  for (const char* delta : {"0.3", "1e-2", "1e-4", "1e-6"})
+    for (const MeshPtr& mesh : random_meshes(11)) exact_runs += expect_intervals(mesh, delta, random, delta), ++runs;
+  EXPECT_GT(exact_runs, 0u);
+  EXPECT_LT(exact_runs, runs);
   for (const std::uint64_t seed : {3, 9, 14, 33, 61, 88, 105})
     if (const MeshPtr mesh = share(shapes::fuzz_mesh(seed).mesh); mesh->face_count() > 0 && mesh->face_count() < 2000)
       expect_intervals(mesh, "0.1", random, "fuzz " + std::to_string(seed));
