@@ -40,7 +40,8 @@ struct IntervalFigures {
 ///
 ///     0 <= l(v) <= D(v) <= factor l(v),    l(v) <= upper(u) + |vu|,
 ///
-/// upper being D or 2 D - l. `distances` and `bounds`: of all vertices, +inf where nothing was reached. O(V + F).
+/// upper being D or 2 D - l. An error that stays within the intervals passes. `distances` and `bounds`: of all
+/// vertices, +inf where nothing was reached. O(V + F).
 IntervalFigures audit_intervals(const SurfaceMesh& mesh, std::span<const double> distances,
                                 std::span<const double> bounds, const IntervalTerms& terms);
 

@@ -132,4 +132,19 @@ TEST_F(ByAccuracy, BoundsAreRefusedByNameWhereThereAreNone) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "d.npy"));
 }
 
+/// Bounds a millionth above their distances contradict them at nearly every vertex, and no second search is needed.
+TEST_F(ByAccuracy, IntervalsThatCannotBeAreABrokenPromise) {
+  const std::string faulty = GEODROME_BINARY_DIR "/tests/faulty_solvers/solver_faulty_long_bounds.so";
+  const Outcome matrix = on_mesh("distances", {"--sources", "0,5", "-o", file("d.npy"), "--solver", faulty});
+  EXPECT_EQ(matrix.status, 5);
+  EXPECT_NE(matrix.err.find("the audit failed: the interval that row "), std::string::npos) << matrix.err;
+  const Outcome nearest = on_mesh("distances", {"--sources", "0,5", "--nearest", file("n.csv"), "--solver", faulty});
+  EXPECT_EQ(nearest.status, 5);
+  EXPECT_NE(nearest.err.find("the interval that the search from all sources certifies"), std::string::npos)
+      << nearest.err;
+  const Outcome compared = on_mesh("compare", {"--solver", faulty});
+  EXPECT_EQ(compared.status, 5);
+  EXPECT_NE(compared.err.find("the intervals that it certifies miss by"), std::string::npos) << compared.err;
+}
+
 }  // namespace
