@@ -23,7 +23,7 @@ class IntervalAuditor {
 
   IntervalFigures run() {
     for (Index v = 0; v < distances_.size(); ++v) audit_vertex(v);
-    for (Index h = 0; h < 3 * mesh_.face_count(); ++h) audit_edge(h);
+    for (Index f = 0; f < mesh_.face_count(); ++f) audit_edges(f);
     if (result_.scale > 0) result_.worst /= result_.scale;
     return result_;
   }
@@ -49,12 +49,17 @@ class IntervalAuditor {
 
   double upper(Index v) const { return terms_.never_shorter ? distances_[v] : 2 * distances_[v] - bounds_[v]; }
 
-  /// Once for every edge, or where faces have weights for each of its faces. Compares squares: few edges need the root.
-  void audit_edge(Index half_edge) {
-    const Index twin = mesh_.twins()[half_edge];
-    if (twin < half_edge && mesh_.face_weights().empty()) return;
-    const Index a = mesh_.from(half_edge), b = mesh_.from(SurfaceMesh::next(half_edge));
-    const double weight = weight_of(mesh_, SurfaceMesh::face(half_edge));
+  /// Those of a face that no face before it has, or where faces have weights all three.
+  void audit_edges(Index face) {
+    const Triangle& corners = mesh_.triangles()[face];
+    const double weight = weight_of(mesh_, face);
+    for (Index i = 0; i < 3; ++i)
+      if (mesh_.twins()[3 * face + i] > 3 * face + i || !mesh_.face_weights().empty())
+        audit_edge(corners[i], corners[(i + 1) % 3], weight);
+  }
+
+  /// Compares squares: few edges need the root.
+  void audit_edge(Index a, Index b, double weight) {
     const double squared = squared_distance(mesh_.positions()[a], mesh_.positions()[b]);
     const auto demand_from = [&](Index from, Index to) {
       if (!std::isfinite(distances_[from])) return;
