@@ -137,6 +137,22 @@ std::uint64_t bytes_of(const MatrixFile::Spec& spec, const MatrixFile::Spec& bou
   return MatrixFile::bytes(spec) + (bounds.out.empty() ? 0 : MatrixFile::bytes(bounds));
 }
 
+void demand_consent(const DistanceJob& job, const MatrixFile::Spec& spec, const MatrixResult& result, unsigned threads,
+                    Observer& observer) {
+  if (result.bytes <= consent_bytes || job.yes) return;
+  tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
+  throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
+}
+
+/// What the rows of the file show, and those that the audit will ask for.
+void check_rows(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
+                const MatrixFile& file, std::span<const NamedPoint> sources, MatrixResult& result) {
+  result.reach = count_reaches(job, surfaces, file, sources);
+  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
+  result.given = {{}, job.max_distance, job.scalar == ScalarType::float32 ? 0x1p-24 : 0};
+  for (const std::size_t i : audited_sources(sources)) result.given.rows.push_back(file.read(i));
+}
+
 }  // namespace
 
 MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
@@ -154,10 +170,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   std::vector<double> row(maker.columns());
   maker.make(*make_search(solver), 0, row);
   result.first_row_seconds = first.seconds();
-  if (result.bytes > consent_bytes && !job.yes) {
-    tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
-    throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
-  }
+  demand_consent(job, spec, result, threads, observer);
   BoundedMatrix sink(spec, bounds, job.resume);
   const MatrixFile& file = sink.matrix();
   tell_unlocked(file, spec, observer);
@@ -174,10 +187,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
     result.counters = maker.counters();
     result.insertions = maker.insertions();
     result.certified = certificates.figures();
-    result.reach = count_reaches(job, surfaces, file, sources);
-    result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
-    result.given = {{}, job.max_distance, job.scalar == ScalarType::float32 ? 0x1p-24 : 0};
-    for (const std::size_t i : audited_sources(sources)) result.given.rows.push_back(file.read(i));
+    check_rows(job, solver, surfaces, file, sources, result);
     sink.finish();
   } catch (...) {
     tell_unfinished(file, spec, observer);
