@@ -152,7 +152,7 @@ class NearestAuditor {
     for (const std::size_t k : seeded_subset(chosen.size(), std::max(wanted, fewest_searches), seed)) {
       const Index i = chosen[k];
       const NamedPoint& source = given_.sources[i];
-      search_row(solver_, *search, source, given_.targets, infinity, context_, row);
+      distance_row(solver_, *search, source, given_.targets, infinity, context_, row);
       const std::string whose = "a search from source " + source.label + " alone gives";
       for (const Index j : judged_) {
         if (std::isfinite(row[j])) not_longer_than(j, row[j], whose);

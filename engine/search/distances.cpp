@@ -63,9 +63,9 @@ void throw_no_distance(double value, const std::string& whose) {
                        "choose another solver, and report this to the author of the plugin");
 }
 
-const ShortestPathMap* search_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
-                                  const TargetList& targets, double max_distance, RunContext& context,
-                                  std::span<double> row) {
+const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                    const TargetList& targets, double max_distance, RunContext& context,
+                                    std::span<double> row) {
   // With a single source its start distance only shifts the row, so no solver needs to know of it.
   const double radius = max_distance - source.start;
   const ShortestPathMap* map = nullptr;

@@ -49,9 +49,9 @@ struct DistanceRule {
 /// Fills one row: the distances of all targets from one source. Returns the map that they were read from, valid until
 /// the search's next run; null if no search was needed. Throws what the solver throws, NumericalError for what is no
 /// distance.
-const ShortestPathMap* search_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
-                                  const TargetList& targets, double max_distance, RunContext& context,
-                                  std::span<double> row);
+const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                    const TargetList& targets, double max_distance, RunContext& context,
+                                    std::span<double> row);
 
 /// The same row by the map of a search from that source alone, which started at 0 and knows the targets. To be called
 /// inside `cross_boundary`. A source that lies on no surface needs no map: null.
@@ -62,19 +62,19 @@ void read_row(const ShortestPathMap* map, const NamedPoint& source, const Target
 using WatchNearest = std::function<void(const ShortestPathMap* map, std::span<const Distance> nearest)>;
 
 /// One search from all sources: the distance of every target from the source that is nearest, and which that is; NaN
-/// for a target that has no distances. Throws as `search_row`, NumericalError for a reach that its distance
+/// for a target that has no distances. Throws as `distance_row`, NumericalError for a reach that its distance
 /// contradicts, CapabilityError if a start distance is wanted that the solver does not provide.
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
                                         const TargetList& targets, double max_distance, RunContext& context,
                                         const WatchNearest& watch = {});
 
 /// The distance of a pair along the surface, by an oracle that `solver` made; `number` of the pair, for messages. To be
-/// called inside `cross_boundary`. Throws as `search_row`.
+/// called inside `cross_boundary`. Throws as `distance_row`.
 double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number);
 
 /// The shortest path on `mesh` from `from`, without its start distance, to the only target. Its distance is the
 /// solver's, or the length of the path if that is shorter and the solver does not state that both are one. Throws as
-/// `search_row` and `trace_path`. Precondition: the solver provides paths.
+/// `distance_row` and `trace_path`. Precondition: the solver provides paths.
 PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, const NamedPoint& from,
                          const TargetList& to, RunContext& context);
 

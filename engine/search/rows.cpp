@@ -31,7 +31,7 @@ void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64
                        std::span<double> row) {
   const std::size_t targets = on.targets->size();
   const std::span<double> distances = row.first(targets);
-  const ShortestPathMap* map = search_row(solver, search, on.source, *on.targets, max_distance_, context_, distances);
+  const ShortestPathMap* map = distance_row(solver, search, on.source, *on.targets, max_distance_, context_, distances);
   if (extras_.bounds)
     cross_boundary(solver.plugin.info, [&] {
       read_lower_bounds(solver, map, on.source, *on.targets, max_distance_, distances, row.subspan(targets));

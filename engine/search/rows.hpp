@@ -49,7 +49,7 @@ class RowMaker {
   std::size_t columns() const { return (extras_.bounds ? 2 : 1) * surfaces_.targets().size(); }
   const PreparedSolver& solver() const { return solver_; }
 
-  /// Fills the row of source `i`. `search`: on the reconstruction. Throws as `search_row`.
+  /// Fills the row of source `i`. `search`: on the reconstruction. Throws as `distance_row`.
   void make(Search& search, std::uint64_t i, std::span<double> row);
 
   /// The counters of all searches so far.
@@ -73,7 +73,7 @@ class RowMaker {
 };
 
 /// Makes the rows of the set that the sink has not, over at most `threads` threads, each with a search of its own.
-/// Throws as `fill_rows` and `search_row`.
+/// Throws as `fill_rows` and `distance_row`.
 void compute_rows(const RowSet& rows, RowMaker& maker, RowSink& sink, unsigned threads, RunContext& context);
 
 }  // namespace geodrome

@@ -91,7 +91,7 @@ Measurement measure(const ComparedSurface& on, const Plugin<ShortestPathSolver>&
   for (std::size_t i = 0; i < on.sources.size(); ++i) {
     const Stopwatch searching;
     const ShortestPathMap* map =
-        search_row(measured.solver, *search, on.sources[i], on.targets, infinity, context, measured.rows[i]);
+        distance_row(measured.solver, *search, on.sources[i], on.targets, infinity, context, measured.rows[i]);
     cost.source_seconds.push_back(searching.seconds());
     if (map) {
       ++searches;
