@@ -56,31 +56,7 @@ Distance by_search(const ShortestPathMap& map, const Starts& starts, std::span<c
   return std::isinf(d) ? Distance{d, Reach::beyond_limit, no_index} : Distance{d, Reach::reached, source};
 }
 
-}  // namespace
-
-void throw_no_distance(double value, const std::string& whose) {
-  throw NumericalError("computed " + std::to_string(value) + " as the distance of " + whose,
-                       "choose another solver, and report this to the author of the plugin");
-}
-
-std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
-                                      const TargetList& targets, double max_distance, RunContext& context,
-                                      std::span<double> row) {
-  // With a single source its start distance only shifts the row, so no solver needs to know of it.
-  const double radius = max_distance - source.start;
-  if (source.place.state != Place::State::on_surface || radius < 0) {
-    read_row(nullptr, source, targets, max_distance, row);
-    return {};
-  }
-  const Source from{source.place.at, 0};
-  const ShortestPathMap& map =
-      run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
-  return cross_boundary(solver.plugin.info, [&] {
-    read_row(&map, source, targets, max_distance, row);
-    return map.counters();
-  });
-}
-
+/// By the map of a search from that source alone; null where none is needed.
 void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
               std::span<double> row) {
   const DistanceRule rule{targets.bounded(), max_distance};
@@ -92,8 +68,30 @@ void read_row(const ShortestPathMap* map, const NamedPoint& source, const Target
   }
 }
 
+}  // namespace
+
+void throw_no_distance(double value, const std::string& whose) {
+  throw NumericalError("computed " + std::to_string(value) + " as the distance of " + whose,
+                       "choose another solver, and report this to the author of the plugin");
+}
+
+const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                    const TargetList& targets, double max_distance, RunContext& context,
+                                    std::span<double> row) {
+  // With a single source its start distance only shifts the row, so no solver needs to know of it.
+  const double radius = max_distance - source.start;
+  const ShortestPathMap* map = nullptr;
+  if (source.place.state == Place::State::on_surface && radius >= 0) {
+    const Source from{source.place.at, 0};
+    map = &run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
+  }
+  cross_boundary(solver.plugin.info, [&] { read_row(map, source, targets, max_distance, row); });
+  return map;
+}
+
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
-                                        const TargetList& targets, double max_distance, RunContext& context) {
+                                        const TargetList& targets, double max_distance, RunContext& context,
+                                        std::vector<double>* vertices) {
   if (std::ranges::any_of(sources, [](const NamedPoint& source) { return source.start > 0; }))
     demand(solver.plugin.info, Provides::start_distances);
   const DistanceRule rule{targets.bounded(), max_distance};
@@ -102,6 +100,8 @@ std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<
   const ShortestPathMap* map = nullptr;
   if (!starts.sources.empty())
     map = &run_search(solver, *search, starts.sources, {.radius = max_distance, .targets = targets.points()}, context);
+  if (map && vertices)
+    cross_boundary(solver.plugin.info, [&] { vertices->assign(map->vertices().begin(), map->vertices().end()); });
   std::vector<Distance> nearest;
   for (const NamedPoint& target : targets.named()) {
     if (!target.place.has_distances())

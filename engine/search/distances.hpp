@@ -45,22 +45,20 @@ struct DistanceRule {
   }
 };
 
-/// Fills one row: the distances of all targets from one source. Returns the search's counters, valid until its next
-/// run; empty if none was needed. Throws what the solver throws, NumericalError for what is no distance.
-std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
-                                      const TargetList& targets, double max_distance, RunContext& context,
-                                      std::span<double> row);
-
-/// The same row by the map of a search from that source alone, which started at 0 and knows the targets. To be called
-/// inside `cross_boundary`. A source that lies on no surface needs no map: null.
-void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
-              std::span<double> row);
+/// Fills one row: the distances of all targets from one source. Returns the map it was read from, which started at 0,
+/// valid until the next run of the search; null if none was needed. Throws what the solver throws, NumericalError for
+/// what is no distance.
+const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                    const TargetList& targets, double max_distance, RunContext& context,
+                                    std::span<double> row);
 
 /// One search from all sources: the distance of every target from the source that is nearest, and which that is; NaN
-/// for a target that has no distances. Throws as `distance_row`, NumericalError for a reach that its distance
-/// contradicts, CapabilityError if a start distance is wanted that the solver does not provide.
+/// for a target that has no distances. `vertices`: receives what the search found at the vertices, nothing if none was
+/// needed. Throws as `distance_row`, NumericalError for a reach that its distance contradicts, CapabilityError if a
+/// start distance is wanted that the solver does not provide.
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
-                                        const TargetList& targets, double max_distance, RunContext& context);
+                                        const TargetList& targets, double max_distance, RunContext& context,
+                                        std::vector<double>* vertices = nullptr);
 
 /// The distance of a pair along the surface, by an oracle that `solver` made; `number` of the pair, for messages. To be
 /// called inside `cross_boundary`. Throws as `distance_row`.

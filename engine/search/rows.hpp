@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,13 +28,17 @@ class WithoutProgress final : public Observer {
   Observer& observer_;
 };
 
+/// Sees what a row's search found: the source's place in the list, the mesh, and the distances of its vertices without
+/// the start distance. Called from several threads at once.
+using SearchWatch = std::function<void(std::uint64_t, const SurfaceMesh&, std::span<const double>)>;
+
 /// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source.
 /// Thread-safe.
 class RowMaker {
  public:
   /// All must outlive it. `solver` has the reconstruction of `surfaces` prepared.
   RowMaker(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
-           double max_distance, std::uint64_t seed, Observer& observer);
+           double max_distance, std::uint64_t seed, Observer& observer, SearchWatch watch = {});
 
   std::size_t columns() const { return surfaces_.targets().size(); }
   const PreparedSolver& solver() const { return solver_; }
@@ -47,12 +52,14 @@ class RowMaker {
   std::map<std::string, std::uint64_t> insertions() const;
 
  private:
-  void measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row);
+  void measure(const PreparedSolver& solver, Search& search, std::uint64_t i, const SourceSurface& on,
+               std::span<double> row);
 
   const PreparedSolver& solver_;
   const SourceSurfaces& surfaces_;
   std::span<const NamedPoint> sources_;
   double max_distance_;
+  SearchWatch watch_;
   WithoutProgress quiet_;
   StageContext context_;
   CounterSum counters_;

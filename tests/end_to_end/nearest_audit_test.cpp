@@ -122,13 +122,13 @@ TEST_F(NearestAudit, RowsOfAMatrixAreHeldAgainstTheSearchesThatAreAudited) {
   };
   const Outcome outcome = row({"-o", file("d.npy"), "--solver", "faulty_kept_targets"});
   EXPECT_EQ(outcome.status, 5) << outcome.out;
-  EXPECT_NE(outcome.err.find("the audit failed: the distance of target "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the audit failed: target 641 is given "), std::string::npos) << outcome.err;
   EXPECT_GT(report()["audit"]["worst_row"], 1e-3);
   for (const std::vector<std::string>& more : {std::vector<std::string>{"-o", file("d.npy")},
                                                {"-o", file("f.npy"), "--dtype", "float32"},
                                                {"-o", file("l.npy"), "--max-distance", "0.8"}}) {
     EXPECT_EQ(row(more).status, 0);
-    EXPECT_EQ(report()["audit"]["worst_row"], 0);
+    EXPECT_LE(report()["audit"]["worst_row"], 1e-15);
   }
 }
 

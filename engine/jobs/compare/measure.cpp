@@ -82,11 +82,11 @@ Measurement measure(const ComparedSurface& on, const Plugin<ShortestPathSolver>&
   std::size_t searches = 0;
   for (std::size_t i = 0; i < on.sources.size(); ++i) {
     const Stopwatch searching;
-    const auto counted =
+    const ShortestPathMap* map =
         distance_row(measured.solver, *search, on.sources[i], on.targets, infinity, context, measured.rows[i]);
     cost.source_seconds.push_back(searching.seconds());
     if (on.sources[i].place.state == Place::State::on_surface) ++searches;
-    if (!counted.empty()) counters.add(measured.solver, counted);
+    if (map) counters.add(measured.solver, *map);
     context.throw_if_cancelled();
     all.next();
   }

@@ -94,18 +94,16 @@ void search(RunRecord& record, const SourceSurfaces& surfaces, std::span<const N
   if (!job.nearest.empty()) {
     StageContext context("nearest", observer, 1, seed);
     const Stopwatch watch;
-    std::vector<Distance> nearest = nearest_distances(solver, sources, targets, job.max_distance, context);
+    std::vector<double> vertices;
+    std::vector<Distance> nearest = nearest_distances(solver, sources, targets, job.max_distance, context, &vertices);
     record.nearest = nearest_result(std::move(nearest), watch.seconds());
     StageContext audit("audit", observer, 1, seed);
-    const GivenNearest given{sources, targets, record.nearest->distances, job.max_distance};
-    record.nearest->audit = audit_nearest(solver, *surfaces.reconstruction(), given, job.audit_share, seed, audit);
+    const GivenDistances given{sources, targets, record.nearest->distances, job.max_distance, vertices};
+    record.nearest->audit = audit_distances(solver, *surfaces.reconstruction(), given, job.audit_share, seed, audit);
   }
   if (!job.matrix.empty())
     record.matrix = compute_matrix(job, solver, surfaces, sources,
                                    fingerprint(job, record.start.opened, solver, sources, targets.named()), observer);
-  if (!record.matrix) return;
-  StageContext context("audit", observer, 1, seed);
-  record.audit = audit_sources(solver, surfaces, sources, record.matrix->given, job.audit_share, seed, context);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 
 #include "engine/checks/matrix_view.hpp"
 #include "engine/formats/remedies.hpp"
@@ -103,7 +104,9 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   const MatrixFile::Spec spec{job.matrix, sources.size(), targets.size(), job.scalar, fingerprint};
   const unsigned threads = thread_count(job.settings);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = MatrixFile::bytes(spec)};
-  RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer);
+  RowAudit audit(solver, surfaces, sources, job.max_distance, job.audit_share);
+  RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer,
+                 std::bind_front(&RowAudit::hear, &audit));
 
   const Stopwatch first;
   std::vector<double> row(spec.columns);
@@ -116,25 +119,28 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   MatrixFile file = MatrixFile::open(spec, job.resume);
   tell_unlocked(file, spec, observer);
   result.resumed_rows = file.rows_done();
+  std::vector<std::vector<double>> rows;  // as they stand on disk
   try {
     if (!file.has(0)) file.write(0, row);
-    const RowSet rows = RowSet::all(spec.rows);
-    tell_plan(spec, result.bytes, missing_rows(rows, file).size(), result.first_row_seconds, threads, observer);
+    const RowSet all = RowSet::all(spec.rows);
+    tell_plan(spec, result.bytes, missing_rows(all, file).size(), result.first_row_seconds, threads, observer);
     const Stopwatch watch;
     StageContext context("distances", observer, threads, job.settings.seed);
-    compute_rows(rows, maker, file, threads, context);
+    compute_rows(all, maker, file, threads, context);
     result.seconds = watch.seconds() + result.first_row_seconds;
     result.counters = maker.counters();
     result.insertions = maker.insertions();
     result.reach = count_reaches(job, surfaces, file, sources);
     result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
-    result.given = {{}, job.max_distance, job.scalar == ScalarType::float32 ? 0x1p-24 : 0};
-    for (const std::size_t i : audited_sources(sources)) result.given.rows.push_back(file.read(i));
+    for (const std::size_t i : audit.sources()) rows.push_back(file.read(i));
     file.finish();
   } catch (...) {
     tell_unfinished(file, spec, observer);
     throw;
   }
+  StageContext context("audit", observer, 1, job.settings.seed);
+  const double rounding = job.scalar == ScalarType::float32 ? 0x1p-24 : 0;
+  result.audit = audit.judge(rows, rounding, job.settings.seed, context);
   return result;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/checks/nearest_audit.hpp"
+#include "engine/checks/distance_audit.hpp"
 #include "geodrome/engine/named_points.hpp"
 #include "geodrome/shortest_path_map.hpp"
 
@@ -16,7 +16,7 @@ struct NearestResult {
   std::vector<Distance> distances;  ///< per target
   std::uint64_t reached = 0, beyond_limit = 0, unreachable = 0, dropped = 0;
   double seconds = 0;
-  NearestAudit audit;
+  DistanceAudit audit;
 };
 
 /// Counts what came of them.
