@@ -46,13 +46,15 @@ class DistanceAuditor {
         search_(make_search(solver)) {
     for (const NamedPoint& one : given_.sources)
       if (const Index c = component_of(mesh_, component_, one.place); c != no_index) has_source_[c] = true;
+    const auto promised = [&](Index i) { return solver.states_factor_at(judge_.source(i).place); };
+    promised_ = std::isfinite(factor_) && std::ranges::all_of(judge_.sources(), promised);
   }
 
   DistanceAudit run(double share, std::uint64_t seed) {
     if (given_.rows == 0) check_reach();
     judge_.check_straight_lines();
     find_vertices();
-    if (judge_.promises_all()) judge_.check_vertices(vertices_);
+    if (promised_) judge_.check_vertices(vertices_);
     repeat(share, seed);
     if (std::isfinite(factor_)) {
       if (given_.rows == 0) search_from_sources(share, seed);
@@ -60,7 +62,7 @@ class DistanceAuditor {
     }
     result_.add(judge_.result());
     const std::string from = given_.rows > 0 ? "source " + judge_.source(0).label : "all sources";
-    if (judge_.promises_all()) result_.add(audit_edges(mesh_, vertices_, factor_, limit(), from));
+    if (promised_) result_.add(audit_vertices(mesh_, vertices_, factor_, limit(), all_sources(), from));
     if (!std::isfinite(factor_)) result_.not_audited = result_.search_not_audited;
     return result_;
   }
@@ -136,23 +138,24 @@ class DistanceAuditor {
       const Request request{.radius = asked(radius), .targets = given_.targets.points(), .keep = Keep::map};
       const ShortestPathMap& map = run_search(solver_, *search_, sources, request, context_);
       cross_boundary(solver_.plugin.info, [&] {
-        if (judge_.promises_all()) compare_with(map, radius);
+        std::vector<double> row(given_.targets.size());
+        for (const Index j : judge_.targets()) row[j] = given_.targets.read(map, j) + judge_.offset();
+        if (promised_) hold(row, radius + judge_.offset(), no_index, "the same search, made to keep a map, gives");
         if (radius < infinity && faces.empty()) return;
-        result_.search = audit(
-            mesh_, sources, map, solver_.plugin.info.provides,
-            {.factor = factor_, .share = share, .faces = faces, .seed = seed, .scale = judge_.scale()});
+        result_.search =
+            audit(mesh_, sources, map, solver_.plugin.info.provides,
+                  {.factor = factor_, .share = share, .faces = faces, .seed = seed, .scale = judge_.scale()});
       });
     } catch (const RefusedError& error) {
       result_.search_not_audited = error.what();
     }
   }
 
-  void compare_with(const ShortestPathMap& map, double radius) {
-    const auto whose = [] { return "the same search, made to keep a map, gives"; };
+  /// What another search gave, which looked no farther than `radius`: from all sources, or from `alone`.
+  void hold(std::span<const double> row, double radius, Index alone, std::string_view words) {
     for (const Index j : judge_.targets()) {
-      const double found = given_.targets.read(map, j) + judge_.offset();
-      judge_.not_longer_than(j, found, whose);
-      judge_.not_shorter_than(j, found, radius + judge_.offset(), whose);
+      judge_.not_longer_than(j, row[j], words);
+      if (alone == no_index || judge_.given(j).source == alone) judge_.not_shorter_than(j, row[j], radius, words);
     }
   }
 
@@ -166,11 +169,7 @@ class DistanceAuditor {
     for (const std::size_t k : seeded_subset(chosen.size(), std::max(wanted, fewest_searches), seed)) {
       const NamedPoint& source = judge_.source(chosen[k]);
       distance_row(solver_, *search_, source, given_.targets, asked(radius), context_, row);
-      const auto whose = [&] { return "a search from source " + source.label + " alone gives"; };
-      for (const Index j : judge_.targets()) {
-        judge_.not_longer_than(j, row[j], whose);
-        if (judge_.given(j).source == chosen[k]) judge_.not_shorter_than(j, row[j], radius, whose);
-      }
+      hold(row, radius, chosen[k], "a search from source " + source.label + " alone gives");
       ++result_.from_sources;
       context_.throw_if_cancelled();
     }
@@ -219,9 +218,9 @@ class DistanceAuditor {
       const NamedPoint& source = judge_.source(i);
       const double back = cross_boundary(solver_.plugin.info, [&] { return map.at(ends[k]).value; }) + source.start;
       const double ruled = DistanceRule{given_.targets.bounded()}(back, source, judge_.target(j));
-      const auto whose = [&] { return "the way back to source " + source.label + " has with its start distance"; };
-      judge_.not_longer_than(j, ruled, whose);
-      if (judge_.given(j).source == i) judge_.not_shorter_than(j, ruled, radius + source.start, whose);
+      const std::string words = "the way back to source " + source.label + " has with its start distance";
+      judge_.not_longer_than(j, ruled, words);
+      if (judge_.given(j).source == i) judge_.not_shorter_than(j, ruled, radius + source.start, words);
     }
     ++result_.from_targets;
     context_.throw_if_cancelled();
@@ -233,6 +232,7 @@ class DistanceAuditor {
   RunContext& context_;
   double factor_;
   DistanceJudge judge_;
+  bool promised_;                 // the factor holds for all that the very search found at vertices
   std::vector<Index> component_;  // of every vertex; which of them have a source
   std::vector<bool> has_source_;
   std::unique_ptr<Search> search_;

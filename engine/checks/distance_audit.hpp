@@ -47,7 +47,7 @@ struct DistanceAudit {
 };
 
 /// Judges them at a small part of the cost of the searches that gave them; checks/README.md says what each check proves
-/// and what it cannot see. What the very search found is Lipschitz along all edges, and so are the given distances with
+/// and what it cannot see. What the very search found fits together at all vertices, and the given distances fit
 /// it; none is below the straight line. Around the sources, on four times `share` of the faces, the search is repeated
 /// with Keep::map, must find the same and is audited. Searches from single sources (three, or `share` of them if that
 /// is more) must nowhere give less, and not more for the source that is named; searches from targets (three, of a row
@@ -57,10 +57,10 @@ struct DistanceAudit {
 DistanceAudit audit_distances(const PreparedSolver& solver, const SurfaceMesh& mesh, const GivenDistances& given,
                               double share, std::uint64_t seed, RunContext& context);
 
-/// The part of it that looks along all edges at what a search found at the vertices, `from` named sources: no distance is
-/// longer than `factor` times a way over a neighbour, where those beyond `limit` are not reached. O(F).
-DistanceAudit audit_edges(const SurfaceMesh& mesh, std::span<const double> vertices, double factor, double limit,
-                          const std::string& from);
+/// The part of it that holds what a search found at the vertices against their neighbours (checks/lipschitz.hpp).
+/// `limit`: of the search; `from`: words for its sources. O(F).
+DistanceAudit audit_vertices(const SurfaceMesh& mesh, std::span<const double> vertices, double factor, double limit,
+                             std::span<const Source> sources, const std::string& from);
 
 /// What it found that may not be, one line each.
 std::vector<std::string> broken_promises(const DistanceAudit& audit);

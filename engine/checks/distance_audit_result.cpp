@@ -7,26 +7,29 @@
 
 namespace geodrome {
 
-DistanceAudit audit_edges(const SurfaceMesh& mesh, std::span<const double> vertices, double factor, double limit,
-                          const std::string& from) {
+DistanceAudit audit_vertices(const SurfaceMesh& mesh, std::span<const double> vertices, double factor, double limit,
+                             std::span<const Source> sources, const std::string& from) {
   DistanceAudit result;
-  const SteepEdge steep = steepest_edge(mesh, vertices, factor, limit);
-  if (steep.excess == 0) return result;
-  const auto at = [&](Index vertex) {
-    return "vertex " + std::to_string(vertex) + " at distance " + number_text(vertices[vertex]);
-  };
-  const Vec3 place = mesh.positions()[steep.far];
-  result.where = "the search from " + from + " found " + at(steep.far) + " and " + at(steep.near) +
-                 ", farther apart than the edge of face " + std::to_string(steep.face) + " between them, near (" +
-                 number_text(place.x) + ", " + number_text(place.y) + ", " + number_text(place.z) + ")";
   result.scale = RoundingScale(smallest_weight(mesh)).distances(vertices).points(mesh.positions()).value();
-  result.worst = result.scale > 0 ? steep.excess / result.scale : steep.excess;
+  const auto report = [&](const MisfitVertex& misfit, const char* how) {
+    const double violation = result.scale > 0 ? misfit.excess / result.scale : misfit.excess;
+    if (!(violation > result.worst)) return;
+    const Vec3 place = mesh.positions()[misfit.vertex];
+    result.worst = violation;
+    result.where = "the search from " + from + " found vertex " + std::to_string(misfit.vertex) + " at distance " +
+                   number_text(vertices[misfit.vertex]) + ", " + how + " for its neighbours on face " +
+                   std::to_string(misfit.face) + " near (" + number_text(place.x) + ", " + number_text(place.y) + ", " +
+                   number_text(place.z) + ")";
+  };
+  report(worst_too_far(mesh, vertices, factor, limit), "too far");
+  report(worst_too_near(mesh, vertices, factor, limit, sources), "too near");
   return result;
 }
 
 void DistanceAudit::add(const DistanceAudit& other) {
   const AuditResult& one = other.search;
-  const bool worse = std::max(one.worst_lipschitz, one.worst_path) > std::max(search.worst_lipschitz, search.worst_path);
+  const bool worse =
+      std::max(one.worst_lipschitz, one.worst_path) > std::max(search.worst_lipschitz, search.worst_path);
   if (worse || search.where.empty()) search.where = one.where;
   search.faces += one.faces, search.pairs += one.pairs, search.paths += one.paths;
   search.scale = std::max(search.scale, one.scale);

@@ -1,15 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "engine/checks/distance_judge.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "engine/checks/lipschitz.hpp"
 #include "engine/checks/rounding_scale.hpp"
 #include "engine/formats/number_text.hpp"
 #include "engine/search/distances.hpp"
+#include "engine/surface/common_face.hpp"
 
 namespace geodrome {
+
+namespace {
+
+bool on_surface(const NamedPoint& point) { return point.place.state == Place::State::on_surface; }
+
+/// Visits the vertices that a straight way in the place's face leads to, with its cost: of a vertex itself alone.
+template <class Visit>
+void for_corners(const SurfaceMesh& mesh, const Place& place, Visit&& visit) {
+  if (place.vertex != no_index) return visit(place.vertex, 0.0);
+  const auto& [face, b] = place.at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    std::array<double, 3> corner{};
+    corner[i] = 1;
+    visit(mesh.triangles()[face][i], straight_within(mesh, face, b, corner));
+  }
+}
+
+}  // namespace
 
 DistanceJudge::DistanceJudge(const PreparedSolver& solver, const SurfaceMesh& mesh, const GivenDistances& given)
     : solver_(solver),
@@ -17,7 +35,6 @@ DistanceJudge::DistanceJudge(const PreparedSolver& solver, const SurfaceMesh& me
       given_(given),
       factor_(solver.plugin.factor),
       smallest_weight_(smallest_weight(mesh)) {
-  const auto on_surface = [](const NamedPoint& point) { return point.place.state == Place::State::on_surface; };
   for (Index i = 0; i < given.sources.size(); ++i)
     if (on_surface(source(i))) sources_.push_back(i);
   for (Index j = 0; j < given.targets.size(); ++j)
@@ -28,17 +45,13 @@ DistanceJudge::DistanceJudge(const PreparedSolver& solver, const SurfaceMesh& me
   scale_ = scale.points(mesh.positions()).value();
 }
 
-bool DistanceJudge::promises_all() const {
-  const auto promised = [&](Index i) { return solver_.states_factor_at(source(i).place); };
-  return std::isfinite(factor_) && std::ranges::all_of(sources_, promised);
-}
-
 /// What the rule makes of a distance at least, whatever the search found: of a cloud the straight line.
 double DistanceJudge::least(Index j) const {
   const Index i = given(j).source;
   return given_.targets.bounded() && i < given_.sources.size() ? DistanceRule{true}(0, source(i), target(j)) : 0;
 }
 
+/// Keeps the worst; a violation that is no number is worse than all.
 bool DistanceJudge::is_worse(double violation) {
   if (std::isnan(violation)) violation = infinity;
   if (violation <= worst_) return false;
@@ -46,7 +59,27 @@ bool DistanceJudge::is_worse(double violation) {
   return true;
 }
 
-std::string DistanceJudge::text(double value) { return number_text(value); }
+void DistanceJudge::report(double violation, Index j, double other, std::string_view words) {
+  if (!is_worse(violation)) return;
+  const bool named = given(j).source < given_.sources.size();
+  where_ = "target " + target(j).label + " is given " + number_text(given(j).value) +
+           (named ? " from source " + source(given(j).source).label : "") + ", but " + std::string(words) + " " +
+           number_text(other);
+}
+
+void DistanceJudge::not_longer_than(Index j, double other, std::string_view words) {
+  const double value = given(j).value, bound = std::max(factor_ * other, least(j));
+  if (bound == infinity) return;
+  if (value != infinity) return report(value - (1 + given_.rounding) * bound, j, other, words);
+  // Beyond the limit: of a cloud the straight line from a source that is not named may be what lies there.
+  const bool named = given(j).source < given_.sources.size();
+  if (!given_.targets.bounded() || named) report(given_.max_distance - bound, j, other, words);
+}
+
+void DistanceJudge::not_shorter_than(Index j, double other, double radius, std::string_view words) {
+  const double value = given(j).value, at_least = other == infinity ? radius : other;
+  if (value < infinity) report(at_least - (factor_ + given_.rounding) * value, j, other, words);
+}
 
 void DistanceJudge::check_straight_lines() {
   // Of several points of a target the closest one counts, but only one is its place.
@@ -54,38 +87,29 @@ void DistanceJudge::check_straight_lines() {
   if (!given_.targets.bounded() && !solver_.provides(Provides::never_shorter)) return;
   for (const Index j : targets_) {
     if (given(j).reach != Reach::reached) continue;
-    const bool named = given(j).source < given_.sources.size();
-    if (!named) return report(infinity, j, [] { return "no source is named:"; }, given(j).value);
+    if (given(j).source >= given_.sources.size()) return report(infinity, j, given(j).value, "no source is named:");
     const NamedPoint& from = source(given(j).source);
     const double straight = smallest_weight_ * distance(from.place.position, target(j).place.position) + from.start;
-    const auto whose = [] { return "the straight line with the start distance is"; };
-    report(straight - (1 + given_.rounding) * given(j).value, j, whose, straight);
+    report(straight - (1 + given_.rounding) * given(j).value, j, straight,
+           "the straight line with the start distance is");
   }
 }
 
 void DistanceJudge::check_vertices(std::span<const double> vertices) {
-  check_starts(vertices);
-  check_targets(vertices);
-}
-
-void DistanceJudge::check_starts(std::span<const double> vertices) {
   for (const Index i : sources_)
-    for_corners(source(i).place, [&](Index vertex, double way) {
+    for_corners(mesh_, source(i).place, [&](Index vertex, double way) {
       const double limit = given_.max_distance - offset_, start = source(i).start - offset_;
       if (!is_worse(lipschitz_excess(vertices[vertex], start, way, factor_, limit))) return;
-      where_ = "the search found vertex " + std::to_string(vertex) + " at distance " + text(vertices[vertex]) +
-               ", but source " + source(i).label + ", which starts at " + text(start) + ", is " + text(way) + " away";
+      where_ = "the search found vertex " + std::to_string(vertex) + " at distance " + number_text(vertices[vertex]) +
+               ", but source " + source(i).label + " is " + number_text(way) + " away";
     });
-}
-
-void DistanceJudge::check_targets(std::span<const double> vertices) {
-  const auto whose = [] { return "by what the search found at a vertex it is"; };
+  constexpr std::string_view words = "by what the search found at a vertex it is";
   for (const Index j : targets_)
-    for_corners(target(j).place, [&](Index vertex, double way) {
+    for_corners(mesh_, target(j).place, [&](Index vertex, double way) {
       const double there = vertices[vertex] + offset_;
-      not_longer_than(j, there + way, whose);
+      not_longer_than(j, there + way, words);
       if (given_.targets.one_point_each())
-        not_shorter_than(j, there - factor_ * way, given_.max_distance - factor_ * way, whose);
+        not_shorter_than(j, there - factor_ * way, given_.max_distance - factor_ * way, words);
     });
 }
 

@@ -30,13 +30,15 @@ RowAudit::RowAudit(const PreparedSolver& solver, const SourceSurfaces& surfaces,
   if (share_ > 0) chosen_ = audited(sources, max_distance);
 }
 
-void RowAudit::hear(std::uint64_t source, const SurfaceMesh& mesh, std::span<const double> vertices) {
+void RowAudit::hear(std::uint64_t source, const SourceSurface& on, std::span<const double> vertices) {
   if (share_ <= 0) return;
-  const NamedPoint& from = sources_[source];
   const double factor = solver_.plugin.factor;
-  const bool promised = std::isfinite(factor) && solver_.states_factor_at(from.place);
+  const bool promised = std::isfinite(factor) && solver_.states_factor_at(on.source.place);
+  const Source from{on.source.place.at, 0};
   DistanceAudit found;
-  if (promised) found = audit_edges(mesh, vertices, factor, max_distance_ - from.start, "source " + from.label);
+  if (promised)
+    found = audit_vertices(*on.mesh, vertices, factor, max_distance_ - on.source.start, {&from, 1},
+                           "source " + on.source.label);
   const std::lock_guard lock(mutex_);
   if (std::ranges::find(chosen_, source) != chosen_.end()) heard_[source].assign(vertices.begin(), vertices.end());
   result_.searches += promised;

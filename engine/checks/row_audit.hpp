@@ -15,11 +15,11 @@ namespace geodrome {
 struct RowsAudit {
   DistanceAudit found;               ///< `worst`: by the rows that were given, and by any search of the job
   std::vector<std::string> sources;  ///< labels of the sources whose rows were audited
-  std::uint64_t searches = 0;        ///< of the job, whose distances at vertices were checked along all edges
+  std::uint64_t searches = 0;        ///< of the job, whose distances at all vertices fit their neighbours
   double seconds = 0;                ///< beside the job's searches
 };
 
-/// Audits a matrix while and after it is made: every search along all edges as soon as it is done, and up to three rows
+/// Audits a matrix while and after it is made: every search at all vertices as soon as it is done, and up to three rows
 /// as they were given (`audit_distances`): the first, the middle, the last of those whose source lies on the surface,
 /// each on its source's own surface.
 class RowAudit {
@@ -32,7 +32,7 @@ class RowAudit {
   std::span<const std::size_t> sources() const noexcept { return chosen_; }
 
   /// What the search from a source found at the vertices, without the start distance. Thread-safe. O(F).
-  void hear(std::uint64_t source, const SurfaceMesh& mesh, std::span<const double> vertices);
+  void hear(std::uint64_t source, const SourceSurface& on, std::span<const double> vertices);
 
   /// `rows`: as they were given, of `sources()`; `rounding`: how far storing an entry may change it, relative to it.
   /// Searches that were not heard are repeated. Throws what the solver throws.

@@ -115,6 +115,14 @@ std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<
   return nearest;
 }
 
+double searched_distance(const PreparedSolver& solver, Search& search, const Place& from, const Place& to,
+                         RunContext& context) {
+  const Source source{from.at, 0};
+  const Request request{.targets = {&to.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};
+  const ShortestPathMap& map = run_search(solver, search, {&source, 1}, request, context);
+  return cross_boundary(solver.plugin.info, [&] { return map.at(to.at).value; });
+}
+
 double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number) {
   return surface_distance(pair.from.place, pair.to.place, [&] {
     const double value = oracle.distance(pair.from.place.at, pair.to.place.at);

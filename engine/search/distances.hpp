@@ -60,6 +60,11 @@ std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<
                                         const TargetList& targets, double max_distance, RunContext& context,
                                         std::vector<double>* vertices = nullptr);
 
+/// The distance of two places on the surface by a search from the one that stops at the other where the solver can.
+/// Throws as `distance_row`. Precondition: the solver takes a source and answers there.
+double searched_distance(const PreparedSolver& solver, Search& search, const Place& from, const Place& to,
+                         RunContext& context);
+
 /// The distance of a pair along the surface, by an oracle that `solver` made; `number` of the pair, for messages. To be
 /// called inside `cross_boundary`. Throws as `distance_row`.
 double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number);

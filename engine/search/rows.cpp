@@ -29,7 +29,7 @@ void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64
   const ShortestPathMap* map = distance_row(solver, search, on.source, *on.targets, max_distance_, context_, row);
   if (!map) return;
   counters_.add(solver_, *map);
-  if (watch_) cross_boundary(solver.plugin.info, [&] { watch_(i, *on.mesh, map->vertices()); });
+  if (watch_) cross_boundary(solver.plugin.info, [&] { watch_(i, on, map->vertices()); });
 }
 
 std::map<std::string, std::uint64_t> RowMaker::insertions() const {

@@ -28,9 +28,9 @@ class WithoutProgress final : public Observer {
   Observer& observer_;
 };
 
-/// Sees what a row's search found: the source's place in the list, the mesh, and the distances of its vertices without
-/// the start distance. Called from several threads at once.
-using SearchWatch = std::function<void(std::uint64_t, const SurfaceMesh&, std::span<const double>)>;
+/// Sees what a row's search found: the source's place in the list, its surface, and the distances of the vertices
+/// without the start distance. Called from several threads at once.
+using SearchWatch = std::function<void(std::uint64_t, const SourceSurface&, std::span<const double>)>;
 
 /// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source.
 /// Thread-safe.

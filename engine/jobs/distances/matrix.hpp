@@ -25,9 +25,9 @@ struct MatrixResult {
 
 /// Computes, checks and finishes `job.matrix`: rows over threads, each written as soon as it is there. Before the bulk
 /// of the work it times one row, tells size and estimated time, and throws RefusedError without consent above 4 GB or
-/// room on disk. Interrupted, it leaves MATRIX.partial. The finished matrix is audited (`RowAudit`). Memory: one row per
-/// thread, and what three searches found at the vertices.
-/// Under a rule that inserts sources, each thread prepares one surface at a time beside `solver`'s.
+/// room on disk. Interrupted, it leaves MATRIX.partial. The finished matrix is audited (`RowAudit`). Memory: one row
+/// per thread, and what three searches found at the vertices. Under a rule that inserts sources, each thread prepares
+/// one surface at a time beside `solver`'s.
 MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
                             std::span<const NamedPoint> sources, const std::string& fingerprint, Observer& observer);
 

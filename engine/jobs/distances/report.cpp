@@ -177,8 +177,7 @@ void summarize_audit(const DistanceAudit& audit, bool nearest, std::ostream& out
     out << audit.search.faces << " faces, " << audit.search.paths << " paths";
   else
     out << "its own search not audited (" << audit.search_not_audited << ")";
-  if (nearest)
-    out << "; " << audit.from_sources << " searches from sources, " << audit.from_targets << " from targets";
+  if (nearest) out << "; " << audit.from_sources << " searches from sources, " << audit.from_targets << " from targets";
   out << ": worst violation " << audit.worst_of_all() << " of the largest distance\n";
 }
 

@@ -15,7 +15,8 @@ namespace geodrome::bench {
 namespace {
 
 constexpr const char* audit_meaning =
-    "Jobs of distances to all vertices, on one thread, with a matrix or with the nearest of their sources. Cost: a job\n"
+    "Jobs of distances to all vertices, on one thread, with a matrix or with the nearest of their sources. Cost: a "
+    "job\n"
     "without and with its audit by turns, each in a process of its own, from reading the mesh to the files written:\n"
     "seconds of processors and peak of resident memory, medians over the rounds. Power, for the faulty solvers that\n"
     "are named: at how many seeds a job with the audit breaks a promise, and without it, by its other checks alone;\n"
@@ -100,6 +101,9 @@ void print_powers(AuditJobs jobs, const AuditArguments& arguments, std::size_t v
 }
 
 void run(const AuditArguments& arguments) {
+  const PluginHost host(arguments.rivals.plugin_path);
+  for (const std::string& solver : split_solvers(arguments.rivals.solver + "," + arguments.faulty))
+    host.load<ShortestPathSolver>(solver);
   const MeshFile mesh(arguments.mesh);
   const AuditJobs jobs{.mesh = mesh.file(),
                        .folder = mesh.folder(),

@@ -55,6 +55,7 @@ AuditCost audit_cost(const AuditJobs& jobs, const std::string& sources, bool nea
         Silent observer;
         run_distances(jobs.job(sources, nearest, audited ? jobs.share : 0, 1), observer);
       });
+      if (!cost.well) throw RefusedError("the job cannot be measured");
       figures[audited].push_back(cost.seconds);
       figures[2 + audited].push_back(static_cast<double>(cost.peak_bytes));
     }

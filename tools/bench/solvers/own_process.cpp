@@ -33,7 +33,8 @@ ProcessCost in_a_process_of_its_own(const std::function<void()>& work) {
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
   };
-  return {seconds(usage.ru_utime) + seconds(usage.ru_stime), static_cast<std::size_t>(usage.ru_maxrss) * 1024};
+  return {status == 0, seconds(usage.ru_utime) + seconds(usage.ru_stime),
+          static_cast<std::size_t>(usage.ru_maxrss) * 1024};
 }
 
 }  // namespace geodrome::bench

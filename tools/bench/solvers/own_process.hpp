@@ -8,6 +8,7 @@ namespace geodrome::bench {
 
 /// What a child process took, with those that it waited for.
 struct ProcessCost {
+  bool well = false;           ///< it ended without an error
   double seconds = 0;          ///< of processors, in the program and in the system
   std::size_t peak_bytes = 0;  ///< resident; at least what the parent had
 };
