@@ -23,7 +23,7 @@ constexpr double mapped_per_audited = 4;
 
 /// Searches without a map may reach this part of the faces a row or source of the job, so that each costs at most this
 /// part of what the job's searches did.
-constexpr double searched_part = 0.02;
+constexpr double searched_part = 0.01;
 
 /// Either part holds so many faces, or all there are: they cost next to nothing.
 constexpr std::size_t fewest_faces = 2000;
@@ -61,8 +61,9 @@ class DistanceAuditor {
       search_from_targets();
     }
     result_.add(judge_.result());
-    const std::string from = given_.rows > 0 ? "source " + judge_.source(0).label : "all sources";
-    if (promised_) result_.add(audit_vertices(mesh_, vertices_, factor_, limit(), all_sources(), from));
+    // Those of a row were audited when they were found (RowAudit::hear).
+    if (promised_ && (given_.rows == 0 || given_.vertices.empty()))
+      result_.add(audit_vertices(mesh_, vertices_, factor_, limit(), all_sources(), "the same sources"));
     if (!std::isfinite(factor_)) result_.not_audited = result_.search_not_audited;
     return result_;
   }

@@ -22,8 +22,8 @@ struct GivenDistances {
   const TargetList& targets;
   std::span<const Distance> distances;  ///< one a target
   double max_distance = infinity;
-  /// What the very search found at the vertices, as it gave it: of a row without the start distance. Empty: it is
-  /// searched again.
+  /// What the very search found at the vertices, as it gave it: of a row without the start distance, and audited before
+  /// (`audit_vertices`). Empty: it is searched again.
   std::span<const double> vertices = {};
   std::size_t rows = 0;  ///< of the matrix that this is a row of, each of one source; 0: the nearest of all sources
   double rounding = 0;   ///< how far storing a distance may change it, relative to it
@@ -52,7 +52,7 @@ struct DistanceAudit {
 /// with Keep::map, must find the same and is audited. Searches from single sources (three, or `share` of them if that
 /// is more) must nowhere give less, and not more for the source that is named; searches from targets (three, of a row
 /// one) must find the same source as far away: both within a part of the surface that is smaller the less was searched,
-/// the whole with 50 sources or rows. A share of a quarter or more repeats the whole search. Throws what the solver
+/// the whole with 100 sources or rows. A share of a quarter or more repeats the whole search. Throws what the solver
 /// throws.
 DistanceAudit audit_distances(const PreparedSolver& solver, const SurfaceMesh& mesh, const GivenDistances& given,
                               double share, std::uint64_t seed, RunContext& context);

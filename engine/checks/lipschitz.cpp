@@ -30,6 +30,7 @@ MisfitVertex worst_too_near(const SurfaceMesh& mesh, std::span<const double> ver
     for (int i = 0; i < 3; ++i) {
       const Triangle& corners = mesh.triangles()[face];
       const Index v = corners[i], a = corners[(i + 1) % 3], b = corners[(i + 2) % 3];
+      if (least[v] <= vertices[v]) continue;  // one way to it is enough
       const Vec3 &p = mesh.positions()[a], &q = mesh.positions()[b];
       // The bounds by a and by b meet where the distance may be least, since the way to v changes less than either.
       const double length = distance(p, q), edge = weight_of(mesh, face) * length;
