@@ -26,7 +26,7 @@ constexpr double mapped_per_audited = 4;
 constexpr double searched_part = 0.01;
 
 /// Either part holds so many faces, or all there are: they cost next to nothing.
-constexpr std::size_t fewest_faces = 2000;
+constexpr std::size_t fewest_faces = 1000;
 
 /// A search back from a target looks so much farther than it should have to.
 constexpr double farther_back = 1.1;
@@ -98,21 +98,19 @@ class DistanceAuditor {
     vertices_ = found_;
   }
 
-  /// The radius within which the wanted part of the faces lies, as far as the search reached; +inf for all of them, and
-  /// where the solver cannot stop there.
+  /// The radius within which the wanted part of the faces lies, as far as the search reached; +inf where the solver
+  /// cannot stop there.
   double radius_of(double part) {
-    const auto of_part = static_cast<std::size_t>(std::ceil(part * static_cast<double>(mesh_.face_count())));
-    const std::size_t wanted = std::max(of_part, fewest_faces);
-    if (wanted >= mesh_.face_count() || !std::isfinite(factor_) || !solver_.provides(Provides::radius_limit))
-      return infinity;
+    if (!std::isfinite(factor_) || !solver_.provides(Provides::radius_limit)) return infinity;
     if (bounds_.empty()) bounds_ = bounds_of_faces(mesh_, vertices_);
     std::vector<double> reached;
     for (const double bound : bounds_)
       if (bound < infinity) reached.push_back(bound);
     if (reached.empty()) return 0;
-    const auto last = reached.begin() + static_cast<std::ptrdiff_t>(std::min(wanted, reached.size()) - 1);
-    std::ranges::nth_element(reached, last);
-    return *last;
+    const auto of_part = static_cast<std::size_t>(std::min(part, 1.0) * static_cast<double>(mesh_.face_count()));
+    const auto last = std::clamp(of_part, std::min(fewest_faces, reached.size()), reached.size()) - 1;
+    std::ranges::nth_element(reached, reached.begin() + static_cast<std::ptrdiff_t>(last));
+    return reached[last];
   }
 
   /// What a solver must be asked for so that nothing within the radius is missing.
@@ -164,10 +162,12 @@ class DistanceAuditor {
     std::vector<Index> chosen;
     for (const Index i : judge_.sources())
       if (solver_.states_factor_at(judge_.source(i).place)) chosen.push_back(i);
-    const auto wanted = static_cast<std::size_t>(std::ceil(share * static_cast<double>(chosen.size())));
+    const bool whole = mapped_per_audited * share >= 1;
+    const auto of_share = static_cast<std::size_t>(std::ceil(share * static_cast<double>(chosen.size())));
     const double radius = radius_of(searched_part * static_cast<double>(judge_.sources().size()));
     std::vector<double> row(given_.targets.size());
-    for (const std::size_t k : seeded_subset(chosen.size(), std::max(wanted, fewest_searches), seed)) {
+    for (const std::size_t k :
+         seeded_subset(chosen.size(), whole ? std::max(of_share, fewest_searches) : fewest_searches, seed)) {
       const NamedPoint& source = judge_.source(chosen[k]);
       distance_row(solver_, *search_, source, given_.targets, asked(radius), context_, row);
       hold(row, radius, chosen[k], "a search from source " + source.label + " alone gives");

@@ -49,11 +49,11 @@ struct DistanceAudit {
 /// Judges them at a small part of the cost of the searches that gave them; checks/README.md says what each check proves
 /// and what it cannot see. What the very search found fits together at all vertices, and the given distances fit
 /// it; none is below the straight line. Around the sources, on four times `share` of the faces, the search is repeated
-/// with Keep::map, must find the same and is audited. Searches from single sources (three, or `share` of them if that
-/// is more) must nowhere give less, and not more for the source that is named; searches from targets (three, of a row
-/// one) must find the same source as far away: both within a part of the surface that is smaller the less was searched,
-/// the whole with 100 sources or rows. A share of a quarter or more repeats the whole search. Throws what the solver
-/// throws.
+/// with Keep::map, must find the same and is audited. Searches from single sources (three) must nowhere give less, and
+/// not more for the source that is named; searches from targets (three, of a row one) must find the same source as far
+/// away: both within a part of the surface that is smaller the less was searched, the whole with 100 sources or rows.
+/// With a share of a quarter or more the whole search is repeated, and single ones from that share of the sources.
+/// Throws what the solver throws.
 DistanceAudit audit_distances(const PreparedSolver& solver, const SurfaceMesh& mesh, const GivenDistances& given,
                               double share, std::uint64_t seed, RunContext& context);
 
