@@ -139,7 +139,10 @@ PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, 
   const ShortestPathMap* map = nullptr;
   const double along = surface_distance(from.place, end.place, [&] {
     const Source source{from.place.at, 0};
-    map = &run_search(solver, *search, {&source, 1}, {.targets = to.points(), .keep = Keep::map}, context);
+    const Request request{.targets = {&end.place.at, 1},
+                          .stop_at_targets = solver.provides(Provides::target_limit),
+                          .keep = Keep::map};
+    map = &run_search(solver, *search, {&source, 1}, request, context);
     return cross_boundary(solver.plugin.info, [&] { return to.read(*map, 0); });
   });
   PathResult path;
