@@ -21,9 +21,13 @@ std::string shown(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4).ptr};
 }
 
-/// `share` of the faces, rounded up, so at least one; ascending.
-std::vector<Index> chosen_faces(Index count, double share, std::uint64_t seed) {
-  return seeded_subset(count, static_cast<Index>(std::ceil(std::min(share, 1.0) * count)), seed);
+/// The share of `count` faces, rounded up, so at least one, of those that may be chosen; in their order.
+std::vector<Index> chosen_faces(std::size_t count, const AuditOptions& options) {
+  const auto wanted = static_cast<Index>(std::ceil(std::min(options.share, 1.0) * static_cast<double>(count)));
+  if (options.faces.empty()) return seeded_subset(static_cast<Index>(count), wanted, options.seed);
+  std::vector<Index> chosen = seeded_subset(static_cast<Index>(options.faces.size()), wanted, options.seed);
+  for (Index& face : chosen) face = options.faces[face];
+  return chosen;
 }
 
 class Auditor {
@@ -43,9 +47,8 @@ class Auditor {
 
   AuditResult run() {
     for (const Source& source : sources_) audit_source(source);
-    for (const Index face : chosen_faces(static_cast<Index>(mesh_.face_count()), options_.share, options_.seed))
-      audit_face(face);
-    const double scale = result_.scale > 0 ? result_.scale : 1;
+    for (const Index face : chosen_faces(mesh_.face_count(), options_)) audit_face(face);
+    const double scale = options_.scale > 0 ? options_.scale : result_.scale > 0 ? result_.scale : 1;
     result_.worst_lipschitz /= scale;
     result_.worst_path /= scale;
     describe();

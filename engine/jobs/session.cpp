@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/checks/nearest_audit.hpp"
+#include "engine/checks/distance_audit.hpp"
 #include "engine/checks/path_audit.hpp"
 #include "engine/jobs/check.hpp"
 #include "engine/jobs/pairs/distances.hpp"
@@ -228,9 +228,8 @@ std::vector<std::string> Session::audit_nearest(std::span<const NamedPoint> sour
   if (!(share > 0 && share <= 1)) throw OptionError("the audit's share must be above 0, up to 1");
   const TargetList list({targets.begin(), targets.end()}, surface());
   StageContext context = impl_->context("audit", 1);
-  return broken_promises(geodrome::audit_nearest(impl_->prepared(), *surface().mesh,
-                                                 {sources, list, nearest, max_distance}, share, impl_->settings.seed,
-                                                 context));
+  return broken_promises(audit_distances(impl_->prepared(), *surface().mesh, {sources, list, nearest, max_distance},
+                                         share, impl_->settings.seed, context));
 }
 
 std::vector<std::string> Session::audit_path(const NamedPoint& from, const NamedPoint& to, const PathResult& path,

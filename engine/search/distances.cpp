@@ -56,6 +56,18 @@ Distance by_search(const ShortestPathMap& map, const Starts& starts, std::span<c
   return std::isinf(d) ? Distance{d, Reach::beyond_limit, no_index} : Distance{d, Reach::reached, source};
 }
 
+/// By the map of a search from that source alone; null where none is needed.
+void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
+              std::span<double> row) {
+  const DistanceRule rule{targets.bounded(), max_distance};
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    const NamedPoint& target = targets.named()[j];
+    const double along =
+        surface_distance(source.place, target.place, [&] { return map ? targets.read(*map, j) : infinity; });
+    row[j] = rule(along + source.start, source, target);
+  }
+}
+
 }  // namespace
 
 void throw_no_distance(double value, const std::string& whose) {
@@ -69,22 +81,12 @@ const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search
   // With a single source its start distance only shifts the row, so no solver needs to know of it.
   const double radius = max_distance - source.start;
   const ShortestPathMap* map = nullptr;
-  const Source from{source.place.at, 0};
-  if (source.place.state == Place::State::on_surface && radius >= 0)
+  if (source.place.state == Place::State::on_surface && radius >= 0) {
+    const Source from{source.place.at, 0};
     map = &run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
+  }
   cross_boundary(solver.plugin.info, [&] { read_row(map, source, targets, max_distance, row); });
   return map;
-}
-
-void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
-              std::span<double> row) {
-  const DistanceRule rule{targets.bounded(), max_distance};
-  for (std::size_t j = 0; j < row.size(); ++j) {
-    const NamedPoint& target = targets.named()[j];
-    const double along =
-        surface_distance(source.place, target.place, [&] { return map ? targets.read(*map, j) : infinity; });
-    row[j] = rule(along + source.start, source, target);
-  }
 }
 
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
@@ -112,6 +114,14 @@ std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<
   return nearest;
 }
 
+double searched_distance(const PreparedSolver& solver, Search& search, const Place& from, const Place& to,
+                         RunContext& context) {
+  const Source source{from.at, 0};
+  const Request request{.targets = {&to.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};
+  const ShortestPathMap& map = run_search(solver, search, {&source, 1}, request, context);
+  return cross_boundary(solver.plugin.info, [&] { return map.at(to.at).value; });
+}
+
 double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number) {
   return surface_distance(pair.from.place, pair.to.place, [&] {
     const double value = oracle.distance(pair.from.place.at, pair.to.place.at);
@@ -128,7 +138,9 @@ PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, 
   const ShortestPathMap* map = nullptr;
   const double along = surface_distance(from.place, end.place, [&] {
     const Source source{from.place.at, 0};
-    map = &run_search(solver, *search, {&source, 1}, {.targets = to.points(), .keep = Keep::map}, context);
+    const Request request{
+        .targets = {&end.place.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit), .keep = Keep::map};
+    map = &run_search(solver, *search, {&source, 1}, request, context);
     return cross_boundary(solver.plugin.info, [&] { return to.read(*map, 0); });
   });
   PathResult path;

@@ -46,17 +46,12 @@ struct DistanceRule {
   }
 };
 
-/// Fills one row: the distances of all targets from one source. Returns the map that they were read from, valid until
-/// the search's next run; null if no search was needed. Throws what the solver throws, NumericalError for what is no
-/// distance.
+/// Fills one row: the distances of all targets from one source. Returns the map it was read from, which started at 0,
+/// valid until the next run of the search; null if none was needed. Throws what the solver throws, NumericalError for
+/// what is no distance.
 const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
                                     const TargetList& targets, double max_distance, RunContext& context,
                                     std::span<double> row);
-
-/// The same row by the map of a search from that source alone, which started at 0 and knows the targets. To be called
-/// inside `cross_boundary`. A source that lies on no surface needs no map: null.
-void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
-              std::span<double> row);
 
 /// Is told the map of the search from all sources, null if no search was needed, and what became of it.
 using WatchNearest = std::function<void(const ShortestPathMap* map, std::span<const Distance> nearest)>;
@@ -67,6 +62,11 @@ using WatchNearest = std::function<void(const ShortestPathMap* map, std::span<co
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
                                         const TargetList& targets, double max_distance, RunContext& context,
                                         const WatchNearest& watch = {});
+
+/// The distance of two places on the surface by a search from the one that stops at the other where the solver can.
+/// Throws as `distance_row`. Precondition: the solver takes a source and answers there.
+double searched_distance(const PreparedSolver& solver, Search& search, const Place& from, const Place& to,
+                         RunContext& context);
 
 /// The distance of a pair along the surface, by an oracle that `solver` made; `number` of the pair, for messages. To be
 /// called inside `cross_boundary`. Throws as `distance_row`.

@@ -37,8 +37,8 @@ void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64
       read_lower_bounds(solver, map, on.source, *on.targets, max_distance_, distances, row.subspan(targets));
     });
   if (!map) return;
-  counters_.add(solver_, cross_boundary(solver_.plugin.info, [&] { return map->counters(); }));
-  if (extras_.watch) extras_.watch(i, *on.mesh, *map);
+  counters_.add(solver_, *map);
+  if (extras_.watch) extras_.watch(i, on, *map);
 }
 
 std::map<std::string, std::uint64_t> RowMaker::insertions() const {

@@ -28,8 +28,9 @@ class WithoutProgress final : public Observer {
   Observer& observer_;
 };
 
-/// Is told of each search of source `i`: the map, and the surface that it is of. On the thread that made the row.
-using WatchRows = std::function<void(std::uint64_t i, const SurfaceMesh& mesh, const ShortestPathMap& map)>;
+/// Is told of the search of source `i`: its surface, and the map, which started at 0. Called from several threads at
+/// once.
+using WatchRows = std::function<void(std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map)>;
 
 /// What is wanted beside the distances.
 struct RowExtras {

@@ -95,7 +95,7 @@ Measurement measure(const ComparedSurface& on, const Plugin<ShortestPathSolver>&
     cost.source_seconds.push_back(searching.seconds());
     if (map) {
       ++searches;
-      counters.add(measured.solver, cross_boundary(measured.solver.plugin.info, [&] { return map->counters(); }));
+      counters.add(measured.solver, *map);
       certify(measured, *on.surface->mesh, *map, i);
     }
     context.throw_if_cancelled();

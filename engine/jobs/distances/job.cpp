@@ -106,15 +106,12 @@ void search(RunRecord& record, const SourceSurfaces& surfaces, std::span<const N
     record.nearest = find_nearest(solver, *surfaces.reconstruction(), sources, targets, job.max_distance,
                                   job.nearest_bounds, context);
     StageContext audit("audit", observer, 1, seed);
-    const GivenNearest given{sources, targets, record.nearest->distances, job.max_distance};
-    record.nearest->audit = audit_nearest(solver, *surfaces.reconstruction(), given, job.audit_share, seed, audit);
+    const GivenDistances given{sources, targets, record.nearest->distances, job.max_distance, record.nearest->vertices};
+    record.nearest->audit = audit_distances(solver, *surfaces.reconstruction(), given, job.audit_share, seed, audit);
   }
   if (!job.matrix.empty())
     record.matrix = compute_matrix(job, solver, surfaces, sources,
                                    fingerprint(job, record.start.opened, solver, sources, targets.named()), observer);
-  if (!record.matrix) return;
-  StageContext context("audit", observer, 1, seed);
-  record.audit = audit_sources(solver, surfaces, sources, record.matrix->given, job.audit_share, seed, context);
 }
 
 }  // namespace

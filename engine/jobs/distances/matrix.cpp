@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 
 #include "engine/checks/matrix_view.hpp"
 #include "engine/formats/remedies.hpp"
@@ -105,11 +106,9 @@ class Certificates {
     if (StatedBounds(solver.plugin)) of_row_.resize(rows);
   }
 
-  WatchRows watch() {
-    if (of_row_.empty()) return {};
-    return [this](std::uint64_t i, const SurfaceMesh& mesh, const ShortestPathMap& map) {
-      of_row_[i] = *audit_intervals(solver_, mesh, map);
-    };
+  /// Thread-safe.
+  void hear(std::uint64_t i, const SurfaceMesh& mesh, const ShortestPathMap& map) {
+    if (!of_row_.empty()) of_row_[i] = *audit_intervals(solver_, mesh, map);
   }
 
   std::optional<IntervalFigures> figures() const {
@@ -144,13 +143,11 @@ void demand_consent(const DistanceJob& job, const MatrixFile::Spec& spec, const 
   throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
 }
 
-/// What the rows of the file show, and those that the audit will ask for.
+/// What the rows of the file show.
 void check_rows(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
                 const MatrixFile& file, std::span<const NamedPoint> sources, MatrixResult& result) {
   result.reach = count_reaches(job, surfaces, file, sources);
   result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
-  result.given = {{}, job.max_distance, job.scalar == ScalarType::float32 ? 0x1p-24 : 0};
-  for (const std::size_t i : audited_sources(sources)) result.given.rows.push_back(file.read(i));
 }
 
 }  // namespace
@@ -163,8 +160,13 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   const unsigned threads = thread_count(job.settings);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = bytes_of(spec, bounds)};
   Certificates certificates(solver, spec.rows);
+  RowAudit audit(solver, surfaces, sources, job.max_distance, job.audit_share);
+  const auto watch = [&](std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map) {
+    audit.hear(i, on, cross_boundary(solver.plugin.info, [&] { return map.vertices(); }));
+    certificates.hear(i, *on.mesh, map);
+  };
   RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer,
-                 {!job.bounds.empty(), certificates.watch()});
+                 {!job.bounds.empty(), watch});
 
   const Stopwatch first;
   std::vector<double> row(maker.columns());
@@ -176,23 +178,28 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   tell_unlocked(file, spec, observer);
   if (sink.bounds()) tell_unlocked(*sink.bounds(), bounds, observer);
   result.resumed_rows = file.rows_done();
+  std::vector<std::vector<double>> rows;  // as they stand on disk
   try {
     if (!sink.has(0)) sink.write(0, row);
-    const RowSet rows = RowSet::all(spec.rows);
-    tell_plan(spec, result.bytes, missing_rows(rows, sink).size(), result.first_row_seconds, threads, observer);
-    const Stopwatch watch;
+    const RowSet all = RowSet::all(spec.rows);
+    tell_plan(spec, result.bytes, missing_rows(all, sink).size(), result.first_row_seconds, threads, observer);
+    const Stopwatch stopwatch;
     StageContext context("distances", observer, threads, job.settings.seed);
-    compute_rows(rows, maker, sink, threads, context);
-    result.seconds = watch.seconds() + result.first_row_seconds;
+    compute_rows(all, maker, sink, threads, context);
+    result.seconds = stopwatch.seconds() + result.first_row_seconds;
     result.counters = maker.counters();
     result.insertions = maker.insertions();
     result.certified = certificates.figures();
     check_rows(job, solver, surfaces, file, sources, result);
+    for (const std::size_t i : audit.sources()) rows.push_back(file.read(i));
     sink.finish();
   } catch (...) {
     tell_unfinished(file, spec, observer);
     throw;
   }
+  StageContext context("audit", observer, 1, job.settings.seed);
+  const double rounding = job.scalar == ScalarType::float32 ? 0x1p-24 : 0;
+  result.audit = audit.judge(rows, rounding, job.settings.seed, context);
   return result;
 }
 

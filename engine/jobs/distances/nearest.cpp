@@ -46,7 +46,11 @@ NearestResult find_nearest(const PreparedSolver& solver, const SurfaceMesh& mesh
                            const TargetList& targets, double max_distance, bool with_bounds, RunContext& context) {
   NearestResult result;
   const auto watch = [&](const ShortestPathMap* map, std::span<const Distance> nearest) {
-    if (map) result.certified = audit_intervals(solver, mesh, *map);
+    if (map) {
+      const auto found = cross_boundary(solver.plugin.info, [&] { return map->vertices(); });
+      result.vertices.assign(found.begin(), found.end());
+      result.certified = audit_intervals(solver, mesh, *map);
+    }
     if (with_bounds)
       cross_boundary(solver.plugin.info,
                      [&] { result.bounds = bounds_of(solver, map, sources, targets, nearest, max_distance); });

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/checks/distance_audit.hpp"
 #include "engine/checks/interval_audit.hpp"
-#include "engine/checks/nearest_audit.hpp"
 #include "geodrome/engine/named_points.hpp"
 #include "geodrome/shortest_path_map.hpp"
 
@@ -20,7 +20,8 @@ struct NearestResult {
   double seconds = 0;
   std::vector<double> bounds;                ///< lower, per target; empty if they are not wanted
   std::optional<IntervalFigures> certified;  ///< by the search, if the solver states lower bounds
-  NearestAudit audit;
+  std::vector<double> vertices;              ///< what the search found at the vertices, for the audit; none without one
+  DistanceAudit audit;
 };
 
 /// Searches from all sources and counts what came of it. `with_bounds`: lower bounds are wanted. Throws as

@@ -89,9 +89,10 @@ class Judge {
     const std::vector<double> ours = solver_->at(places.ours);
     const double scale = largest_finite(ours);
     check_unused_vertices();
-    for (std::size_t i = 0; i < ours.size(); ++i)
+    const auto every = static_cast<std::size_t>(1 / options_.share);
+    for (std::size_t i = 0; i < ours.size(); i += every)
       if (std::isfinite(ours[i])) raise(result_.paths, apart(solver_->path_length(places.ours[i]), ours[i]) / scale);
-    const AuditResult audit = solver_->audited();
+    const AuditResult audit = solver_->audited(options_.share, options_.seed);
     if (std::max(audit.worst_lipschitz, audit.worst_path) > std::max(result_.lipschitz, result_.audit_paths))
       result_.where = audit.where;
     raise(result_.lipschitz, audit.worst_lipschitz);

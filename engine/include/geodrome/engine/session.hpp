@@ -107,9 +107,10 @@ class Session {
 
   /// Audits what the three members around here gave, by searches of other kinds, one line for each promise of the
   /// solver that is broken; none for one that holds or cannot be judged. A few searches on one thread. `nearest`: the
-  /// search is repeated and audited on a `share` of the faces, in (0, 1], and held against searches from single sources
-  /// and from targets. A path: it runs on the surface, is as long as its distance, and a search from its other end
-  /// agrees. Pairs: searches for three of them, from both ends. Throw as those members.
+  /// search is repeated, around the sources with a map that is audited on a `share` of the faces, in (0, 1] (from a
+  /// quarter on the map is of all faces), and held against searches from single sources and from targets. A path: it
+  /// runs on the surface, is as long as its distance, and a search from its other end agrees. Pairs: searches for three
+  /// of them, from both ends. Throw as those members.
   std::vector<std::string> audit_nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                          std::span<const Distance> nearest, double max_distance = infinity,
                                          double share = 0.01) const;
