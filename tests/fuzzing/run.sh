@@ -3,8 +3,8 @@
 # run.sh [-r RUNS] [-s SECONDS] [-d FILES] [TARGET...]
 #
 # Builds the preset `fuzz` (clang and its sanitizers) and runs every reader, or those named, under libFuzzer until it
-# has been called RUNS times (10 million) or for SECONDS (1800), whichever comes first: for all targets three to five
-# hours of one core, at 10,000 to 25,000 calls a second of it. Broken files in FILES become seeds too. Prints a row a
+# has been called RUNS times (10 million) or for SECONDS (1800), whichever comes first: for all targets some
+# hours of one core, at 3,000 calls a second of it (meshes) to 25,000 (lists). Broken files in FILES become seeds too. Prints a row a
 # target; status 1 if a promise was broken. Inputs that broke one are in build/fuzz/found; the corpus of each target,
 # cut down to what reaches most, is in build/fuzz/corpus, where later runs go on.
 set -euo pipefail
