@@ -21,11 +21,6 @@ std::string shown(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4).ptr};
 }
 
-/// `share` of the faces, rounded up, so at least one; ascending.
-std::vector<Index> chosen_faces(Index count, double share, std::uint64_t seed) {
-  return seeded_subset(count, static_cast<Index>(std::ceil(std::min(share, 1.0) * count)), seed);
-}
-
 class Auditor {
  public:
   Auditor(const SurfaceMesh& mesh, std::span<const Source> sources, const ShortestPathMap& map, Provides provides,
@@ -43,7 +38,7 @@ class Auditor {
 
   AuditResult run() {
     for (const Source& source : sources_) audit_source(source);
-    for (const Index face : chosen_faces(static_cast<Index>(mesh_.face_count()), options_.share, options_.seed))
+    for (const Index face : seeded_share(static_cast<Index>(mesh_.face_count()), options_.share, options_.seed))
       audit_face(face);
     const double scale = result_.scale > 0 ? result_.scale : 1;
     result_.worst_lipschitz /= scale;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <random>
@@ -23,6 +24,13 @@ std::vector<Integer> seeded_subset(Integer count, Integer wanted, std::uint64_t 
   chosen.resize(wanted);
   std::sort(chosen.begin(), chosen.end());
   return chosen;
+}
+
+/// The same for a share of the numbers, rounded up, so at least one of them; all from a share of 1 on.
+template <class Integer>
+std::vector<Integer> seeded_share(Integer count, double share, std::uint64_t seed) {
+  const double wanted = std::ceil(std::min(share, 1.0) * static_cast<double>(count));
+  return seeded_subset(count, static_cast<Integer>(wanted), seed);
 }
 
 }  // namespace geodrome

@@ -10,15 +10,10 @@
 
 namespace geodrome {
 
-/// Makes CGAL throw where it would abort, and go on where it warns. Once for the whole plugin, so that threads do not
-/// write it while others read.
+/// Makes CGAL throw where it would abort. Once for the whole plugin, so that threads do not write it while others read.
 inline void let_cgal_throw() {
-  static const bool done = [] {
-    CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
-    CGAL::set_warning_behaviour(CGAL::CONTINUE);
-    return true;
-  }();
-  static_cast<void>(done);
+  static const CGAL::Failure_behaviour before = CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION);
+  static_cast<void>(before);
 }
 
 /// Calls a function that uses CGAL. CGAL's failures become NumericalErrors with this remedy; other errors pass.
