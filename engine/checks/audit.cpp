@@ -21,11 +21,12 @@ std::string shown(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4).ptr};
 }
 
-/// The share of `count` faces, rounded up, so at least one, of those that may be chosen; in their order.
+/// The share of all `count` faces, drawn from those that may be chosen; in their order.
 std::vector<Index> chosen_faces(std::size_t count, const AuditOptions& options) {
-  const auto wanted = static_cast<Index>(std::ceil(std::min(options.share, 1.0) * static_cast<double>(count)));
-  if (options.faces.empty()) return seeded_subset(static_cast<Index>(count), wanted, options.seed);
-  std::vector<Index> chosen = seeded_subset(static_cast<Index>(options.faces.size()), wanted, options.seed);
+  if (options.faces.empty()) return seeded_share(static_cast<Index>(count), options.share, options.seed);
+  const auto allowed = static_cast<Index>(options.faces.size());
+  std::vector<Index> chosen =
+      seeded_subset(allowed, size_of_share(static_cast<Index>(count), options.share), options.seed);
   for (Index& face : chosen) face = options.faces[face];
   return chosen;
 }

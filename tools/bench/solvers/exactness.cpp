@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/checks/seeded_subset.hpp"
 #include "tools/bench/solvers/surface_points.hpp"
 #include "tools/bench/solvers/witness.hpp"
 #include "tools/shapes/random.hpp"
@@ -89,8 +90,7 @@ class Judge {
     const std::vector<double> ours = solver_->at(places.ours);
     const double scale = largest_finite(ours);
     check_unused_vertices();
-    const auto every = static_cast<std::size_t>(1 / options_.share);
-    for (std::size_t i = 0; i < ours.size(); i += every)
+    for (const std::size_t i : seeded_share(ours.size(), options_.share, options_.seed))
       if (std::isfinite(ours[i])) raise(result_.paths, apart(solver_->path_length(places.ours[i]), ours[i]) / scale);
     const AuditResult audit = solver_->audited(options_.share, options_.seed);
     if (std::max(audit.worst_lipschitz, audit.worst_path) > std::max(result_.lipschitz, result_.audit_paths))
