@@ -39,7 +39,7 @@ class Fallback {
   void run(const RunContext& context, LowerLimit&& lower_limit) {
     try {
       return merged_.run(context, lower_limit);
-    } catch (const LongLists&) {
+    } catch (const MergingFails&) {
       begin_exact();
     }
     exact_->run(context, lower_limit);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "plugins/common/mesh/prefetch.hpp"
+
 namespace geodrome::merged_windows {
 namespace {
 
@@ -23,7 +25,7 @@ double mirror_sine(const PackedMesh::Face& face, int i) {
 
 Propagation::Propagation(const PackedMesh& surface, const Settings& settings)
     : VertexPropagation(surface),
-      long_list_(settings.long_list),
+      settings_(settings),
       wavefront_(surface),
       merging_(settings.delta),
       upper_(surface.vertex_count()),
@@ -44,8 +46,8 @@ void Propagation::begin(bool keep, double limit) {
 
 void Propagation::next() {
   const Wavefront::Next next = wavefront_.pop([this](Index vertex) {
-    __builtin_prefetch(&labels_[vertex]);
-    __builtin_prefetch(&upper_[vertex]);
+    prefetch(&labels_[vertex]);
+    prefetch(&upper_[vertex]);
   });
   if (next.vertex != no_index)
     emit(next.vertex);
@@ -53,11 +55,15 @@ void Propagation::next() {
     process(next.half_edge, next.window);
 }
 
-/// Throws LongLists.
+/// Throws MergingFails.
 void Propagation::polled() const {
-  constexpr std::uint64_t enough_passes = 512;
-  const auto passes = static_cast<double>(std::max(counts_.passes, enough_passes));
-  if (static_cast<double>(counts_.propagated) > long_list_ * passes) throw LongLists{};
+  constexpr std::uint64_t enough_passes = 768;
+  if (counts_.passes < enough_passes) return;
+  const auto& [tried, done] = merging_.counts();
+  const auto times = [](double most, std::uint64_t count) { return most * static_cast<double>(count); };
+  if (static_cast<double>(counts_.propagated) > times(settings_.long_list, counts_.passes) ||
+      static_cast<double>(tried) > times(settings_.many_tries, done))
+    throw MergingFails{};
 }
 
 void Propagation::seed(const Source& source, Index number) {

@@ -27,8 +27,8 @@ struct Counts {
   std::uint64_t longest = 0;     ///< the longest list carried on
 };
 
-/// Thrown by a run whose lists stay so long that exact windows are faster.
-struct LongLists {};
+/// Thrown by a run in which so few windows merge that exact ones are faster.
+struct MergingFails {};
 
 /// Windows carried over a surface from its sources, half-edge by half-edge, nearest first, and merged where that costs
 /// little. The labels of vertices are l, the least L of all windows; what is answered is D, the length of the shortest
@@ -124,7 +124,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void hand_on_alone(const Window& window, const Apex& apex, int i);
   void hand_on(std::span<const Window> run, Index edge);
 
-  double long_list_;
+  Settings settings_;
   Wavefront wavefront_;
   Trimming trimming_;
   Merging merging_;

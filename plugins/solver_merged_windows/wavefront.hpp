@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geodrome/solver_kit/packed_mesh.hpp"
+#include "plugins/common/mesh/prefetch.hpp"
 #include "plugins/solver_merged_windows/bucket_queue.hpp"
 #include "plugins/solver_merged_windows/window.hpp"
 
@@ -64,10 +65,9 @@ class Wavefront {
   template <class FetchVertex>
   void fetch_ahead(FetchVertex&& fetch_vertex) const {
     queue_.look_ahead(10, [&](Index soon) {
-      __builtin_prefetch(&slots_[soon]);
+      prefetch(&slots_[soon]);
       if (soon >= half_edges_) return;
-      const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
-      __builtin_prefetch(face), __builtin_prefetch(face + 64);
+      prefetch_two_lines(surface_.face_of(soon));
     });
     queue_.look_ahead(4, [&](Index soon) {
       if (soon >= half_edges_) return;
@@ -75,9 +75,9 @@ class Wavefront {
       for (int i = 0; i < 3; ++i) {
         fetch_vertex(face.vertex[i]);
         const Index across = PackedMesh::only_across(face, i).half_edge;
-        if (across != no_index) __builtin_prefetch(&slots_[across]);
+        if (across != no_index) prefetch(&slots_[across]);
       }
-      if (slots_[soon].first != no_index) __builtin_prefetch(&pool_[slots_[soon].first]);
+      if (slots_[soon].first != no_index) prefetch(&pool_[slots_[soon].first]);
     });
   }
   Next taken(Index element);

@@ -22,7 +22,7 @@ struct Bounds {
 
 Bounds bounds_of(const MeshPtr& mesh, const std::vector<Source>& sources, double delta) {
   const PackedMesh surface(mesh);
-  merged_windows::Propagation propagation(surface, {delta, infinity});
+  merged_windows::Propagation propagation(surface, {delta, infinity, infinity});
   propagation.begin(false, infinity);
   for (Index i = 0; i < sources.size(); ++i)
     propagation.seed({sources[i].at, std::ldexp(sources[i].start, surface.exponent())}, i);
