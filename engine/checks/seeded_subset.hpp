@@ -26,11 +26,16 @@ std::vector<Integer> seeded_subset(Integer count, Integer wanted, std::uint64_t 
   return chosen;
 }
 
-/// The same for a share of the numbers, rounded up, so at least one of them; all from a share of 1 on.
+/// A share of `count`, rounded up, so at least one of them; all from a share of 1 on.
+template <class Integer>
+Integer size_of_share(Integer count, double share) {
+  return static_cast<Integer>(std::ceil(std::min(share, 1.0) * static_cast<double>(count)));
+}
+
+/// seeded_subset() of a share of the numbers.
 template <class Integer>
 std::vector<Integer> seeded_share(Integer count, double share, std::uint64_t seed) {
-  const double wanted = std::ceil(std::min(share, 1.0) * static_cast<double>(count));
-  return seeded_subset(count, static_cast<Integer>(wanted), seed);
+  return seeded_subset(count, size_of_share(count, share), seed);
 }
 
 }  // namespace geodrome

@@ -8,11 +8,11 @@
 namespace geodrome::aleksandrov {
 
 Propagation::Propagation(const PackedMesh&, const Settings& discretization)
-    : discretization_(discretization), search_(graph()), labels_(search_.labels()) {}
+    : discretization_(discretization), search_(graph()) {}
 
 void Propagation::begin(bool, double limit) {
   search_.begin();
-  starts_.clear(), starts_at_.clear(), watched_.clear(), labels_.touched_.clear();
+  starts_.clear(), starts_at_.clear(), watched_.clear(), reached_.clear();
   limit_ = limit, margin_ = 0;
 }
 
@@ -76,7 +76,7 @@ void Propagation::finish() {
   look_at_watched();
   const auto vertices = static_cast<Index>(discretization_->surface().vertex_count());
   for (const Index node : search_.labels().touched())
-    if (node < vertices) labels_.touched_.push_back(node);
+    if (node < vertices) reached_.push_back(node);
 }
 
 Propagation::Way Propagation::way_to(const SurfacePoint& inner, double best) const {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "geodrome/shortest_path_solver.hpp"
+#include "plugins/common/exact/found_distance.hpp"
 #include "plugins/common/exact/watched_target.hpp"
-#include "plugins/common/mesh/labels.hpp"
 #include "plugins/solver_aleksandrov/direct_way.hpp"
 #include "plugins/solver_aleksandrov/discretization.hpp"
 #include "plugins/solver_aleksandrov/graph_search.hpp"
@@ -52,20 +52,10 @@ class Propagation {
     finish();
   }
 
-  /// Labels of the vertices of the flat surface.
-  class VertexLabels {
-   public:
-    explicit VertexLabels(const NodeLabels& nodes) : nodes_(nodes) {}
-    double distance(Index vertex) const { return nodes_.distance(vertex); }
-    Label operator[](Index vertex) const { return {nodes_.distance(vertex), {}, no_index, nodes_.source(vertex)}; }
-    const std::vector<Index>& touched() const { return touched_; }
-
-   private:
-    friend Propagation;
-    const NodeLabels& nodes_;
-    std::vector<Index> touched_;
-  };
-  const VertexLabels& labels() const { return labels_; }
+  FoundDistance answer(Index vertex) const {
+    return {search_.labels().distance(vertex), search_.labels().source(vertex)};
+  }
+  const std::vector<Index>& reached() const { return reached_; }
 
   Way way_to(const SurfacePoint& inner, double best) const;
   void trace(const Way& way, std::vector<SurfacePoint>& out) const;
@@ -94,7 +84,7 @@ class Propagation {
 
   Settings discretization_;
   GraphSearch search_;
-  VertexLabels labels_;
+  std::vector<Index> reached_;
   std::vector<Start> starts_;
   std::vector<std::pair<Index, Index>> starts_at_;  ///< (vertex of its face, start), ascending in a run
   std::vector<Watched> watched_;

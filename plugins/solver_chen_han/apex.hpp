@@ -10,16 +10,6 @@
 
 namespace geodrome::chen_han {
 
-/// How windows pass from the half-edge of `apex` to the frame of the half-edge beyond the edge on its left or right.
-inline Turn turn_left(const Apex& apex) {
-  const double limit = apex.left_length();
-  return {0, apex.face.cosine[apex.a], apex.face.sine[apex.a], 0, limit, limit};
-}
-inline Turn turn_right(const Apex& apex) {
-  const double limit = apex.right_length();
-  return {apex.length, apex.face.cosine[apex.b], -apex.face.sine[apex.b], limit, limit, 0};
-}
-
 /// Whether window i has lines to the left or right of the apex.
 inline bool has_left(const Apex& apex, const WindowArrays& w, std::size_t i) {
   return side_of_line(w.x[i], w.y[i], w.low[i], apex.x, apex.y) < 0;

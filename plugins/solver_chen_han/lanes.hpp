@@ -3,16 +3,10 @@
 
 #include <cstddef>
 
+#include "plugins/common/exact/turn.hpp"
 #include "plugins/solver_chen_han/windows.hpp"
 
 namespace geodrome::chen_han {
-
-/// How windows pass from a half-edge to another edge of its face: a rotation about the point `pivot` of the half-edge,
-/// then a shift along the new one, `limit` long.
-struct Turn {
-  double pivot, cosine, sine, shift, limit;
-  double away;  ///< where the end of a window goes whose line never meets the new edge: 0 or `limit`
-};
 
 /// Of a list: the windows [0, left_end) have lines to the left of a point, [right_begin, count) to its right. Only if
 /// `in_order`; lines of an ordered list may cross beyond their half-edge.
@@ -36,14 +30,6 @@ struct Lanes {
   /// Where a list is parted by the point (x, y), y > 0.
   Parting (*part)(const WindowArrays& windows, std::size_t count, double x, double y);
 };
-
-/// Above 0 where the line from image (ix, iy) through (px, 0) leaves the point (x, y) on its left, below where on its
-/// right. An image on the line y = 0 counts as just below it, so that a point on that line has a side too.
-template <class Number>
-Number side_of_line(const Number& ix, const Number& iy, const Number& px, double x, double y) {
-  const Number below = iy - 1e-300;
-  return (px - ix) * (y - below) + below * (x - ix);
-}
 
 enum class Simd { baseline, avx2 };
 

@@ -69,35 +69,18 @@ struct Register {
   }
 };
 
-/// Images are rotated once for each face that is crossed; their error stays below this share of their distance.
-inline constexpr double image_share = 1e-13;
-
 template <int N>
 void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const WindowArrays& out) {
   using Double = Register<N>;
-  const Double zero, limit(turn.limit), away(turn.away), cosine(turn.cosine), sine(turn.sine), pivot(turn.pivot),
-      shift(turn.shift), rounding_of_images(image_share);
   for (std::size_t i = 0; i < count; i += N) {
-    const Double px = Double(in.x + i) - pivot, py(in.y + i);
-    const Double x = cosine * px + sine * py + shift, computed_y = cosine * py - sine * px;
-    // On the line of the new edge, but for rounding, an image is put on it; beyond it, it sees the edge from behind,
-    // which a window as short as its own rounding can seem to do: its ends change places, so that it is empty.
-    const auto behind = computed_y > rounding_of_images * (most(px, -px) + most(py, -py));
-    const Double y = least(computed_y, zero);
-    x.store(out.x + i);
-    y.store(out.y + i);
+    const TurnedImage<Double> image(turn, Double(in.x + i), Double(in.y + i));
+    image.x().store(out.x + i);
+    image.y().store(out.y + i);
     __builtin_memcpy(out.sigma + i, in.sigma + i, N * sizeof(double));
     __builtin_memcpy(out.origin + i, in.origin + i, N * sizeof(Index));
     __builtin_memcpy(out.parent + i, in.parent + i, N * sizeof(Index));
-    // The line from the image through the end (qx, qy) of the window goes on to y = 0.
-    const auto onward = [&](const double* end, const Double& if_behind) {
-      const Double p = Double(end + i) - pivot;
-      const Double qx = cosine * p + shift, down = sine * p, climb = -down - y;
-      const Double met = qx + (qx - x) * down / climb, missed = select(down > zero, away, qx);
-      return most(least(select(behind, if_behind, select(climb > zero, met, missed)), limit), zero);
-    };
-    onward(in.low, limit).store(out.low + i);
-    onward(in.high, zero).store(out.high + i);
+    image.low(Double(in.low + i)).store(out.low + i);
+    image.high(Double(in.high + i)).store(out.high + i);
   }
 }
 

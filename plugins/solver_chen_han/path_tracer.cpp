@@ -2,6 +2,9 @@
 #include "plugins/solver_chen_han/path_tracer.hpp"
 
 #include <algorithm>
+#include <tuple>
+
+#include "plugins/common/mesh/face_below.hpp"
 
 namespace geodrome::chen_han {
 
@@ -35,27 +38,9 @@ Index PathTracer::through(Index window, double x, double y) {
     const double crossed = std::clamp(place, w.low, w.high);
     out_.push_back(surface_.original(surface_.point_on(half_edge, crossed)));
     if (w.parent == no_index) return w.origin < surface_.vertex_count() ? w.origin : no_index;
-    std::tie(x, y) = on_face_below(half_edge, crossed, kept_.half_edge_of(w.parent));
+    std::tie(x, y) = on_face_below(surface_, half_edge, crossed, kept_.half_edge_of(w.parent));
     window = w.parent;
   }
-}
-
-/// Point x of a half-edge in the frame of the half-edge `parent` of the face below, through which the window came.
-std::pair<double, double> PathTracer::on_face_below(Index half_edge, double x, Index parent) const {
-  const PackedMesh::Face& face = surface_.face_of(parent);
-  for (const Index edge : {SurfaceMesh::previous(parent), SurfaceMesh::next(parent)}) {
-    double along = -1;
-    surface_.for_each_across(edge, [&](Index other, bool mirrored) {
-      if (other == half_edge) along = mirrored ? x : surface_.length(edge) - x;
-    });
-    if (along < 0) continue;
-    const double share = face.length[edge % 3] > 0 ? along / face.length[edge % 3] : 0;
-    std::array<double, 3> b{};
-    b[edge % 3] = 1 - share;
-    b[(edge + 1) % 3] = share;
-    return surface_.in_frame(parent, b);
-  }
-  return {x, 0};
 }
 
 }  // namespace geodrome::chen_han

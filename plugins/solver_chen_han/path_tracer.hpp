@@ -22,7 +22,6 @@ class PathTracer {
 
  private:
   Index through(Index window, double x, double y);
-  std::pair<double, double> on_face_below(Index half_edge, double x, Index parent) const;
 
   const PackedMesh& surface_;
   const Labels& labels_;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plugins/common/exact/tolerances.hpp"
+#include "plugins/common/mesh/prefetch.hpp"
 
 namespace geodrome::chen_han {
 namespace {
@@ -33,8 +34,7 @@ Wavefront::Next Wavefront::pop() {
   const auto half_edges = static_cast<Index>(waiting_.size());
   queue_.for_each_of_the_next([&](Index soon) {
     if (soon >= half_edges) return;
-    const char* face = reinterpret_cast<const char*>(&surface_.face_of(soon));
-    __builtin_prefetch(face), __builtin_prefetch(face + 64);
+    prefetch_two_lines(surface_.face_of(soon));
   });
   if (element >= half_edges) return {no_index, no_index, element - half_edges};
   const Index block = waiting_[element];

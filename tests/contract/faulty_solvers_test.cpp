@@ -69,6 +69,8 @@ const Planted planted_faults[] = {
     {"several_sources", {"requests.many_sources", "sources.in_one_face"}, "at most", {"requests.source"}},
     {"several_in_a_face", {"sources.in_one_face"}, "at most", {"requests.many_sources", "requests.start_distance"}},
     {"late_starts", {"sources.with_starts"}, "at most", {"requests.many_sources", "sources.in_one_face"}},
+    {"long_bounds", {"bounds.vertices", "bounds.points"}, "at most", {"guarantee.shapes", "requests.radius"}},
+    {"bounds_beyond", {"bounds.limits"}, "at most", {"bounds.vertices", "bounds.points"}},
     {"short_paths",
      {"paths.lead_to_sources", "paths.lead_into_faces", "surfaces.audit_flat"},
      "within",
@@ -115,6 +117,18 @@ TEST(ConformanceKit, JudgesAPluginWithOptions) {
   EXPECT_EQ(judge_in_child(subject, "distances.cube").outcome, Outcome::held);
   subject.options = "delta=0";
   EXPECT_EQ(judge_in_child(subject, "distances.cube").outcome, Outcome::failed);
+}
+
+/// Without a factor, but with lower bounds: what both demand beside each other.
+TEST(ConformanceKit, FindsNothingInTheMiddleOfIntervals) {
+  const Subject subject = find_subject("merged_windows:value=middle");
+  std::size_t held = 0;
+  for (const Demand& demand : demands("solver")) {
+    const Verdict verdict = judge_in_child(subject, demand.name);
+    EXPECT_NE(verdict.outcome, Outcome::failed) << demand.name << ": " << verdict.expected << " / " << verdict.found;
+    held += verdict.outcome == Outcome::held;
+  }
+  EXPECT_GT(held, 55u);
 }
 
 TEST(ConformanceKit, RefusesUnknownNames) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,9 +48,10 @@ Number bisector_place(const Number& x1, const Number& h1, const Number& s1, cons
 template <class Image>
 double equal_place(const Image& a, const Image& b, double low, double high) {
   const double formula = bisector_place(a.x, -a.y, a.sigma, b.x, -b.y, b.sigma);
+  const double farther = std::max(std::abs(a.sigma), std::abs(b.sigma));
   if (low <= formula && formula <= high) {
     const double distance = a.at(formula);
-    if (std::abs(distance - b.at(formula)) <= equal_share * distance) return formula;
+    if (std::abs(distance - b.at(formula)) <= equal_share * std::max(distance, farther)) return formula;
   }
   double at_low = a.at(low) - b.at(low), at_high = a.at(high) - b.at(high);
   int side = 0;
@@ -59,7 +61,7 @@ double equal_place(const Image& a, const Image& b, double low, double high) {
     const double secant = low + (high - low) * (at_low / (at_low - at_high));
     const double x = step < 50 && low < secant && secant < high ? secant : middle;
     const double distance = a.at(x), gap = distance - b.at(x);
-    if (std::abs(gap) <= equal_share * distance) return x;
+    if (std::abs(gap) <= equal_share * std::max(distance, farther)) return x;
     if ((gap < 0) == (at_low < 0)) {
       low = x, at_low = gap;
       if (side == -1) at_high *= 0.5;

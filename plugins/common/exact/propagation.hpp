@@ -9,8 +9,8 @@
 #include "geodrome/run_context.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/solver_kit/packed_mesh.hpp"
+#include "plugins/common/exact/found_distance.hpp"
 #include "plugins/common/exact/watched_target.hpp"
-#include "plugins/common/mesh/labels.hpp"
 
 namespace geodrome {
 
@@ -53,9 +53,9 @@ concept AnswersAfterRun = FoundWay<typename P::Way> &&
     requires(const P& propagation, const SurfacePoint& inner, const typename P::Way& way, Index vertex,
              std::vector<SurfacePoint>& out) {
   { propagation.watched() } -> std::same_as<const std::vector<Watched>&>;
-  /// labels(): Labels, with the distance of every vertex below the limit.
-  { propagation.labels().distance(vertex) } -> std::convertible_to<double>;
-  { propagation.labels()[vertex] } -> std::convertible_to<const Label&>;
+  /// answer(vertex): the distance of every vertex below the limit. reached(): the vertices that have one, each once.
+  { propagation.answer(vertex) } -> std::same_as<FoundDistance>;
+  { propagation.reached() } -> std::convertible_to<const std::vector<Index>&>;
   /// way_to(inner, best): the shortest path through anything that was kept to a point that is no vertex, named in the
   /// packed mesh; none unless it is shorter than `best`.
   { propagation.way_to(inner, 0.0) } -> std::same_as<typename P::Way>;
@@ -69,8 +69,17 @@ concept AnswersAfterRun = FoundWay<typename P::Way> &&
 };
 
 /// A propagation of distances over a packed mesh, which PropagationSearch makes into a search. VertexPropagation has
-/// `seed`, `watched`, `run` and `labels`.
+/// `seed`, `watched`, `run`, `answer` and `reached`.
 template <class P>
 concept MeshPropagation = StartsOnMesh<P> && RunsToLimit<P> && AnswersAfterRun<P>;
+
+/// A propagation that tells beside its distances how short the true ones can be at least.
+template <class P>
+concept KnowsLowerBounds = MeshPropagation<P> && requires(const P& propagation, Index vertex) {
+  /// lower_bound(vertex): no path below the limit is shorter. Infinite where nothing was found.
+  { propagation.lower_bound(vertex) } -> std::same_as<double>;
+  /// factor(): no distance of this run, at any point, is longer than so many times the true one.
+  { propagation.factor() } -> std::same_as<double>;
+};
 
 }  // namespace geodrome

@@ -12,7 +12,6 @@
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/propagation.hpp"
 #include "plugins/common/exact/watched_target.hpp"
-#include "plugins/common/mesh/labels.hpp"
 
 namespace geodrome {
 
@@ -28,6 +27,17 @@ class PropagationSearch final : public KeptSearch {
         distances_(surface_->vertex_count(), infinity) {
     count();
   }
+
+  /// After a run: the limit up to which it is complete, in the units of the mesh. What is nearer was reached.
+  double complete_up_to() const { return std::min(radius(), std::ldexp(limit_, -surface_->exponent())); }
+  /// After a run: the propagation's.
+  double factor() const requires KnowsLowerBounds<Propagation> { return propagation_.factor(); }
+  /// After a run: for a vertex, and for every one, by the mesh's own numbers, a length that no path to it is below;
+  /// +inf without any path. O(1) and O(V).
+  double lower_bound(Index vertex) const requires KnowsLowerBounds<Propagation> {
+    return lower_bound(vertex, std::ldexp(1.0, surface_->exponent()), complete_up_to());
+  }
+  void write_lower_bounds(std::span<double> bounds) const requires KnowsLowerBounds<Propagation>;
 
  private:
   std::span<const double> vertices() const override { return distances_; }
@@ -58,6 +68,7 @@ class PropagationSearch final : public KeptSearch {
   void watch(const Request& request);
   double farthest_target(const Request& request) const;
   void write_distances();
+  double lower_bound(Index vertex, double units, double complete) const requires KnowsLowerBounds<Propagation>;
   void count();
   PlainWay plain_way(const SurfacePoint& inner) const;
   PlainWay watched_way(const SurfacePoint& point) const;
@@ -122,7 +133,7 @@ double PropagationSearch<Propagation>::farthest_target(const Request& request) c
     const Index vertex = mesh().vertex_at(target);
     farthest =
         std::max(farthest, vertex == no_index ? watched_way(target).distance
-                                              : propagation_.labels().distance(surface_->vertex_of_original(vertex)));
+                                              : propagation_.answer(surface_->vertex_of_original(vertex)).distance);
   }
   return farthest;
 }
@@ -132,12 +143,28 @@ void PropagationSearch<Propagation>::write_distances() {
   const double units = std::ldexp(1.0, surface_->exponent());
   for (const Index v : written_) distances_[v] = infinity;
   written_.clear();
-  for (const Index v : propagation_.labels().touched()) {
-    const double inner = propagation_.labels().distance(v), value = inner / units;
+  for (const Index v : propagation_.reached()) {
+    const double inner = propagation_.answer(v).distance, value = inner / units;
     if (value > radius() || inner > limit_) continue;
     written_.push_back(surface_->original_vertex(v));
     distances_[written_.back()] = value;
   }
+}
+
+/// What was found may be longer than what waits beyond the limit, and by rounding than the answer.
+template <MeshPropagation Propagation>
+double PropagationSearch<Propagation>::lower_bound(Index vertex, double units,
+                                                   double complete) const requires KnowsLowerBounds<Propagation> {
+  if (!shares_component_with_source(vertex)) return infinity;
+  const double found = propagation_.lower_bound(surface_->vertex_of_original(vertex)) / units;
+  return std::min({found, complete, distances_[vertex]});
+}
+
+template <MeshPropagation Propagation>
+void PropagationSearch<Propagation>::write_lower_bounds(std::span<double> bounds) const requires
+    KnowsLowerBounds<Propagation> {
+  const double units = std::ldexp(1.0, surface_->exponent()), complete = complete_up_to();
+  for (Index v = 0; v < bounds.size(); ++v) bounds[v] = lower_bound(v, units, complete);
 }
 
 template <MeshPropagation Propagation>
@@ -150,8 +177,8 @@ template <MeshPropagation Propagation>
 Distance PropagationSearch<Propagation>::distance_at(const SurfacePoint& point) const {
   const Index vertex = mesh().vertex_at(point);
   if (vertex != no_index) {
-    const Label& label = propagation_.labels()[surface_->vertex_of_original(vertex)];
-    return judge(label.distance, label.source, point.face);
+    const FoundDistance found = propagation_.answer(surface_->vertex_of_original(vertex));
+    return judge(found.distance, found.source, point.face);
   }
   const NearestWay nearest = nearest_way(point);
   return judge(nearest.distance, nearest.source, point.face);
@@ -216,11 +243,11 @@ auto PropagationSearch<Propagation>::plain_way(const SurfacePoint& inner) const 
     if (distance < way.distance) way = {distance, it->second};
   }
   for (Index i = 0; i < 3; ++i) {
-    const Label& label = propagation_.labels()[surface_->from(frame + i)];
-    if (label.source == no_index) continue;
+    const FoundDistance corner = propagation_.answer(surface_->from(frame + i));
+    if (corner.source == no_index) continue;
     const auto [cx, cy] = surface_->in_frame(frame + i, inner.b);
-    const double distance = label.distance + surface_->weight(inner.face) * std::hypot(cx, cy);
-    if (distance < way.distance) way = {distance, label.source, surface_->from(frame + i)};
+    const double distance = corner.distance + surface_->weight(inner.face) * std::hypot(cx, cy);
+    if (distance < way.distance) way = {distance, corner.source, surface_->from(frame + i)};
   }
   return way;
 }

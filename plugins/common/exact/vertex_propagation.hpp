@@ -13,6 +13,7 @@
 #include "geodrome/shortest_path_solver.hpp"
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/entry.hpp"
+#include "plugins/common/exact/found_distance.hpp"
 #include "plugins/common/exact/tolerances.hpp"
 #include "plugins/common/exact/watched_target.hpp"
 #include "plugins/common/mesh/apex.hpp"
@@ -37,7 +38,7 @@ struct PseudoSource {
 /// The base of exact propagations, whatever carries their straight lines across faces: labels of vertices, paths along
 /// edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances are
 /// those of the packed mesh, and so are the numbers of faces and vertices. The base has the members of MeshPropagation
-/// (propagation.hpp) that do not depend on these lines: `seed`, `watched`, `run`, `labels`.
+/// (propagation.hpp) that do not depend on these lines: `seed`, `watched`, `run`, `answer`, `reached`.
 ///
 /// `Step` is that of Labels, with a member `vertex` for a path along an edge from that vertex. A `Solver` derives from
 /// VertexPropagation<Solver, Step>, so that calls are bound when it is compiled, and has
@@ -48,7 +49,8 @@ struct PseudoSource {
 ///   face wait beyond a half-edge of it, `apex.half_edge`, in whose frame the point is. `to_end` is the length of the
 ///   half-edge less from.x, told apart from 0 where rounding would not;
 /// - `std::uint64_t carried() const`: how many lines it has carried across faces in this run;
-/// - optionally `polled` and `seed_face` in place of those here.
+/// - optionally `polled`, `seed_face`, `lowered_along_edge`, `lowered_straight` and `lowered_at_source` in place of
+///   those here.
 template <class Solver, class Step>
 class VertexPropagation {
  public:
@@ -75,7 +77,10 @@ class VertexPropagation {
     }
   }
 
-  const Labels<Step>& labels() const { return labels_; }
+  /// Returns the distance of a vertex, infinite where none was found.
+  FoundDistance answer(Index vertex) const { return {labels_.distance(vertex), labels_[vertex].source}; }
+  /// Returns the vertices that were reached, each once, in any order.
+  const std::vector<Index>& reached() const { return labels_.touched(); }
 
  protected:
   explicit VertexPropagation(const PackedMesh& surface) : surface_(surface), labels_(surface.vertex_count()) {}
@@ -85,6 +90,11 @@ class VertexPropagation {
   void begin(bool keep, double limit);
   /// Is called now and then, for a solver that watches its run.
   void polled() {}
+  /// Are called when a label was lowered by the path along an edge, by one straight from a source in a face, and by a
+  /// source that is the vertex: for a solver whose answers are not the labels.
+  void lowered_along_edge(Index /*vertex*/, Index /*from*/, double /*length*/) {}
+  void lowered_straight(Index /*vertex*/, double /*distance*/, Index /*source*/) {}
+  void lowered_at_source(Index /*vertex*/, double /*distance*/, Index /*source*/) {}
 
   /// Returns the number of the source that rays from this origin start at.
   Index source_of(Index origin) const {
@@ -159,10 +169,14 @@ template <class Solver, class Step>
 void VertexPropagation<Solver, Step>::lower_along_edges(const Apex& apex) {
   const double by_start = labels_.distance(apex.start()) + apex.left_length();
   const double by_end = labels_.distance(apex.end()) + apex.right_length();
-  if (label_is_lower(apex.vertex(), by_start))
+  if (label_is_lower(apex.vertex(), by_start)) {
     lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {.vertex = apex.start()});
-  if (label_is_lower(apex.vertex(), by_end))
+    solver().lowered_along_edge(apex.vertex(), apex.start(), apex.left_length());
+  }
+  if (label_is_lower(apex.vertex(), by_end)) {
     lower(apex.vertex(), {by_end, apex.angle(apex.c), apex.left(), labels_[apex.end()].source}, {.vertex = apex.end()});
+    solver().lowered_along_edge(apex.vertex(), apex.end(), apex.right_length());
+  }
 }
 
 template <class Solver, class Step>
@@ -224,10 +238,14 @@ void VertexPropagation<Solver, Step>::emit_into(Index corner) {
   const Index vertex = apex.vertex();
   const Label label = labels_[vertex];
   const double by_left = label.distance + apex.left_length(), by_right = label.distance + apex.right_length();
-  if (label_is_lower(apex.start(), by_left))
+  if (label_is_lower(apex.start(), by_left)) {
     lower(apex.start(), {by_left, apex.angle(apex.a), apex.half_edge, label.source}, {.vertex = vertex});
-  if (label_is_lower(apex.end(), by_right))
+    solver().lowered_along_edge(apex.start(), vertex, apex.left_length());
+  }
+  if (label_is_lower(apex.end(), by_right)) {
     lower(apex.end(), {by_right, {}, apex.right(), label.source}, {.vertex = vertex});
+    solver().lowered_along_edge(apex.end(), vertex, apex.right_length());
+  }
   const double to_end = apex.right_length() * apex.face.cosine[apex.b];
   solver().send_wedge(apex, {apex.x, apex.y, label.distance, vertex}, to_end, Entry::apex);
 }
@@ -238,7 +256,9 @@ void VertexPropagation<Solver, Step>::seed(const Source& source, Index number) {
   for (int i = 0; i < 3; ++i) {
     if (at.b[i] != 1) continue;
     const Index vertex = surface_.face(at.face).vertex[i];
-    if (label_is_lower(vertex, source.start)) lower(vertex, {source.start, {}, no_index, number}, {});
+    if (!label_is_lower(vertex, source.start)) return;
+    lower(vertex, {source.start, {}, no_index, number}, {});
+    solver().lowered_at_source(vertex, source.start, number);
     return;
   }
   surface_.for_each_name(at, [&](const SurfacePoint& here) { solver().seed_face(here, source, number); });
@@ -251,8 +271,10 @@ void VertexPropagation<Solver, Step>::seed_face(const SurfacePoint& at, const So
     const Apex apex(surface_, 3 * at.face + static_cast<Index>(i));
     const auto [x, y] = surface_.in_frame(apex.half_edge, at.b);
     const double distance = source.start + std::sqrt(x * x + y * y);
-    if (label_is_lower(apex.start(), distance))
+    if (label_is_lower(apex.start(), distance)) {
       lower(apex.start(), {distance, angle_of(x, y), apex.half_edge, number}, {});
+      solver().lowered_straight(apex.start(), distance, number);
+    }
     if (at.b[apex.c] == 0) continue;
     const double to_end = at.b[apex.a] * apex.length + at.b[apex.c] * apex.right_length() * apex.face.cosine[apex.b];
     solver().send_wedge(apex, {x, y, source.start, origin}, to_end, Entry::loose);

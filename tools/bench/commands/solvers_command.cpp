@@ -20,7 +20,8 @@ constexpr const char* solvers_meaning =
     "void.\n"
     "Windows: the solver's counter windows_propagated of a source; time a window is that of the whole query. -: not "
     "counted.\n"
-    "Wall-clock time: let nothing else run. Build with the release preset.";
+    "Processor time of the thread. What else runs still uses the caches: compare within one run. Build with the\n"
+    "release preset.";
 
 struct SolversArguments {
   std::string mesh;

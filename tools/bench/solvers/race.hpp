@@ -18,7 +18,7 @@ struct RaceOptions {
   std::uint64_t seed = 1;   ///< chooses the sources
 };
 
-/// What was measured of one of the two. Times are wall-clock seconds.
+/// What was measured of one of the two. Times are processor seconds.
 struct Lane {
   std::string name;
   std::vector<double> preparation;         ///< one per preparation

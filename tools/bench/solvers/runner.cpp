@@ -23,14 +23,14 @@ SolverRunner::SolverRunner(Plugin<ShortestPathSolver> plugin, MeshPtr mesh)
 double SolverRunner::prepare() {
   search_.reset();
   prepared_.reset();
-  return seconds_of([&] {
+  return processor_seconds_of([&] {
     prepared_ = plugin_.call([&](const ShortestPathSolver& solver) { return solver.prepare(mesh_, context_); });
   });
 }
 
 double SolverRunner::make_search() {
   search_.reset();
-  return seconds_of(
+  return processor_seconds_of(
       [&] { search_ = plugin_.call([&](const ShortestPathSolver&) { return prepared_->make_search(); }); });
 }
 
@@ -39,7 +39,7 @@ double SolverRunner::query(Index vertex, Keep keep) {
   Request request;
   request.keep = keep;
   const ShortestPathMap* map = nullptr;
-  const double time = seconds_of([&] {
+  const double time = processor_seconds_of([&] {
     plugin_.call([&](const ShortestPathSolver&) {
       map = &search_->run({&source, 1}, request, context_);
       const auto values = map->vertices();

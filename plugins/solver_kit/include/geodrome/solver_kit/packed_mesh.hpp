@@ -23,7 +23,7 @@ namespace geodrome {
 /// checked.
 class PackedMesh {
  public:
-  struct Face {
+  struct alignas(32) Face {     // two cache lines, wherever it stands
     double length[3];           ///< of half-edge i
     double cosine[3], sine[3];  ///< of the angle at corner i
     Index vertex[3];
@@ -66,6 +66,17 @@ class PackedMesh {
       return;
     }
     visit(code & ~mirror_bit, (code & mirror_bit) != 0);
+  }
+
+  /// The only other half-edge on edge i of a face; none on the boundary and where more than two faces meet.
+  struct Across {
+    Index half_edge = no_index;
+    bool mirrored = false;  ///< both run the same way
+  };
+  static Across only_across(const Face& face, int i) {
+    const Index code = face.across[i];
+    if (code == no_index || (code & fan_bit)) return {};
+    return {code & ~mirror_bit, (code & mirror_bit) != 0};
   }
 
   /// Tells whether more than two faces meet at the edge of `h`.

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "plugins/solver_merged_windows/wavefront.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "plugins/common/exact/tolerances.hpp"
+
+namespace geodrome::merged_windows {
+namespace {
+
+/// No point of ordered windows has a lower L than this: L changes by at most the way along them.
+double least_value(std::span<const Window> run) {
+  const Window &first = run.front(), &last = run.back();
+  return std::max(0.0, 0.5 * (first.at(first.low) + last.at(last.high) - (last.high - first.low)));
+}
+
+}  // namespace
+
+void Wavefront::clear() {
+  while (!empty()) {
+    for (Index window = pop([](Index) {}).window; window != no_index;)
+      pool_.release(std::exchange(window, pool_[window].next));
+  }
+  queue_.clear();
+}
+
+Wavefront::Next Wavefront::taken(Index element) {
+  --waiting_;
+  const Slot slot = std::exchange(slots_[element], {});
+  if (element >= half_edges_) return {no_index, no_index, element - half_edges_};
+  return {element, slot.first, no_index};
+}
+
+std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double limit) {
+  if (run.empty()) return 0;
+  const double near = least_value(run), length = surface_.length(edge);
+  if (near * (1 - rounding_share) > limit) return 0;
+  std::size_t pushed = 0;
+  surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
+    chain(run, half_edge, mirrored, length);
+    wait(half_edge, key_of(near + patience * length));
+    pushed += run.size();
+  });
+  return pushed;
+}
+
+bool Wavefront::push_alone(const Window& window, const PackedMesh::Across& across, double length, double limit) {
+  const double aside = std::max({window.low - window.x, 0.0, window.x - window.high});
+  const double near = std::max(0.0, window.sigma + std::sqrt(aside * aside + window.y * window.y));
+  if (near * (1 - rounding_share) > limit) return false;
+  const Index place = pool_.add();
+  pool_[place] = window;
+  if (across.mirrored) pool_[place] = mirrored(window, length);
+  insert_run(place, place, across.half_edge);
+  wait(across.half_edge, key_of(near + patience * length));
+  return true;
+}
+
+void Wavefront::chain(std::span<const Window> run, Index half_edge, bool mirrored, double length) {
+  Index first = no_index, last = no_index;
+  for (std::size_t i = 0; i < run.size(); ++i) {
+    const Index place = pool_.add();
+    pool_[place] = mirrored ? merged_windows::mirrored(run[i], length) : run[run.size() - 1 - i];
+    pool_[place].next = first, pool_[place].ends_run = false;
+    first = place;
+    if (i == 0) last = place;
+  }
+  insert_run(first, last, half_edge);
+}
+
+/// Inserts windows that are linked where their entry belongs. What came earlier by the same entry is in no order with
+/// them, so they become loose.
+void Wavefront::insert_run(Index first, Index last, Index half_edge) {
+  Index* link = &slots_[half_edge].first;
+  if (*link == no_index) {
+    pool_[last].next = no_index, pool_[last].ends_run = true;
+    *link = first;
+    return;
+  }
+  const auto skip_run = [&] {
+    Index end = *link;
+    while (!pool_[end].ends_run) end = pool_[end].next;
+    link = &pool_[end].next;
+  };
+  const Entry entry = pool_[first].entry();
+  while (*link != no_index && pool_[*link].entry() < entry) skip_run();
+  if (*link != no_index && entry != Entry::loose && pool_[*link].entry() == entry) {
+    for (Index window = first; window != last; window = pool_[window].next) pool_[window].set_entry(Entry::loose);
+    pool_[last].set_entry(Entry::loose);
+    while (*link != no_index) skip_run();
+  }
+  pool_[last].next = *link, pool_[last].ends_run = true;
+  *link = first;
+}
+
+}  // namespace geodrome::merged_windows
