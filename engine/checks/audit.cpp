@@ -21,9 +21,14 @@ std::string shown(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, 4).ptr};
 }
 
-/// `share` of the faces, rounded up, so at least one; ascending.
-std::vector<Index> chosen_faces(Index count, double share, std::uint64_t seed) {
-  return seeded_subset(count, static_cast<Index>(std::ceil(std::min(share, 1.0) * count)), seed);
+/// The share of all `count` faces, drawn from those that may be chosen; in their order.
+std::vector<Index> chosen_faces(std::size_t count, const AuditOptions& options) {
+  if (options.faces.empty()) return seeded_share(static_cast<Index>(count), options.share, options.seed);
+  const auto allowed = static_cast<Index>(options.faces.size());
+  std::vector<Index> chosen =
+      seeded_subset(allowed, size_of_share(static_cast<Index>(count), options.share), options.seed);
+  for (Index& face : chosen) face = options.faces[face];
+  return chosen;
 }
 
 class Auditor {
@@ -43,9 +48,8 @@ class Auditor {
 
   AuditResult run() {
     for (const Source& source : sources_) audit_source(source);
-    for (const Index face : chosen_faces(static_cast<Index>(mesh_.face_count()), options_.share, options_.seed))
-      audit_face(face);
-    const double scale = result_.scale > 0 ? result_.scale : 1;
+    for (const Index face : chosen_faces(mesh_.face_count(), options_)) audit_face(face);
+    const double scale = options_.scale > 0 ? options_.scale : result_.scale > 0 ? result_.scale : 1;
     result_.worst_lipschitz /= scale;
     result_.worst_path /= scale;
     describe();

@@ -22,6 +22,7 @@ struct SampledRow {
   std::uint64_t row;
   std::optional<std::uint64_t> column;  ///< where the same point is a target
   std::vector<double> distances;
+  double cut_off;  ///< what is farther is +inf
 };
 
 std::vector<SampledRow> read_sample(const MatrixView& matrix, const InvariantOptions& options) {
@@ -33,11 +34,11 @@ std::vector<SampledRow> read_sample(const MatrixView& matrix, const InvariantOpt
 
   std::vector<SampledRow> sample;
   for (const std::uint64_t row : seeded_subset<std::uint64_t>(matrix.row_ids.size(), wanted, options.seed)) {
-    SampledRow sampled{row, std::nullopt, matrix.read(row)};
+    const double start = matrix.starts.empty() ? 0 : matrix.starts[row];
+    SampledRow sampled{row, std::nullopt, matrix.read(row), options.radius - start};
     if (const auto found = column_of_id.find(matrix.row_ids[row]); found != column_of_id.end())
       sampled.column = found->second;
-    if (!matrix.starts.empty())
-      for (double& distance : sampled.distances) distance -= matrix.starts[row];
+    for (double& distance : sampled.distances) distance -= start;
     sample.push_back(std::move(sampled));
   }
   return sample;
@@ -74,7 +75,8 @@ class Checker {
       if (has_distance) record(result_.computed, std::isnan(d) ? 1 : 0, source.row, column);
       if (!has_distance || std::isnan(d)) continue;
       record(result_.euclid, excess(options_.smallest_weight * straight, d), source.row, column);
-      if (matrix_.row_ids[source.row] == matrix_.column_ids[column])
+      // A source that starts beyond the cut-off does not even reach itself.
+      if (matrix_.row_ids[source.row] == matrix_.column_ids[column] && source.cut_off >= 0)
         record(result_.identity, excess(std::abs(d), 0), source.row, column);
     }
   }
@@ -84,7 +86,7 @@ class Checker {
     if (!s.column || !t.column) return;
     const double there = s.distances[*t.column], back = t.distances[*s.column];
     if (std::isnan(there) || std::isnan(back)) return;
-    record(result_.symmetry, excess(at_least(there), factor_ * back), s.row, *t.column);
+    record(result_.symmetry, excess(at_least(there, s), factor_ * back), s.row, *t.column);
   }
 
   /// D(s, u) <= factor (D(s, t) + D(t, u)).
@@ -92,12 +94,12 @@ class Checker {
     if (!t.column) return;
     const double direct = s.distances[u], first = s.distances[*t.column], second = t.distances[u];
     if (std::isnan(direct) || std::isnan(first) || std::isnan(second)) return;
-    record(result_.triangle, excess(at_least(direct), factor_ * (first + second)), s.row, u, t.row);
+    record(result_.triangle, excess(at_least(direct, s), factor_ * (first + second)), s.row, u, t.row);
   }
 
  private:
   /// What is known of a distance from below: beyond the cut-off it is the cut-off.
-  double at_least(double value) const { return value == infinity ? options_.radius : value; }
+  static double at_least(double value, const SampledRow& row) { return value == infinity ? row.cut_off : value; }
 
   /// (low - high) / scale; what reaches infinity on the high side violates nothing.
   double excess(double low, double high) const {

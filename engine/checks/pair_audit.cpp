@@ -32,13 +32,6 @@ std::vector<std::size_t> choose(const PreparedSolver& solver, std::span<const Na
   return {usable.front(), usable[usable.size() / 2], usable.back()};
 }
 
-double searched(const PreparedSolver& solver, Search& search, const NamedPair& pair, RunContext& context) {
-  const Source source{pair.from.place.at, 0};
-  const Request request{.targets = {&pair.to.place.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};
-  const ShortestPathMap& map = run_search(solver, search, {&source, 1}, request, context);
-  return cross_boundary(solver.plugin.info, [&] { return map.at(pair.to.place.at).value; });
-}
-
 }  // namespace
 
 PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std::span<const NamedPair> pairs,
@@ -61,7 +54,8 @@ PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std
     scale.distances({&values[i], 1});
     for (const NamedPair& pair : {pairs[i], NamedPair{pairs[i].to, pairs[i].from}}) {
       if (!can_be_judged(solver, pair)) continue;
-      const double found = DistanceRule{bounded}(searched(solver, *search, pair, context), pair.from, pair.to);
+      const double found = DistanceRule{bounded}(
+          searched_distance(solver, *search, pair.from.place, pair.to.place, context), pair.from, pair.to);
       const double violation = std::max(values[i] - factor * found, found - factor * values[i]);
       if (violation > worst) worst = violation, result.worst_pair = i;
     }

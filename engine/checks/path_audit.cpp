@@ -34,11 +34,7 @@ std::optional<double> searched_back(const PreparedSolver& solver, const Place& f
   const bool promised =
       std::isfinite(solver.plugin.factor) && solver.states_factor_at(from) && solver.states_factor_at(to);
   if (!possible || !promised) return std::nullopt;
-  const auto search = make_search(solver);
-  const Source source{to.at, 0};
-  const Request request{.targets = {&from.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};
-  const ShortestPathMap& map = run_search(solver, *search, {&source, 1}, request, context);
-  return cross_boundary(solver.plugin.info, [&] { return map.at(from.at).value; });
+  return searched_distance(solver, *make_search(solver), to, from, context);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <random>
@@ -23,6 +24,18 @@ std::vector<Integer> seeded_subset(Integer count, Integer wanted, std::uint64_t 
   chosen.resize(wanted);
   std::sort(chosen.begin(), chosen.end());
   return chosen;
+}
+
+/// A share of `count`, rounded up, so at least one of them; all from a share of 1 on.
+template <class Integer>
+Integer size_of_share(Integer count, double share) {
+  return static_cast<Integer>(std::ceil(std::min(share, 1.0) * static_cast<double>(count)));
+}
+
+/// seeded_subset() of a share of the numbers.
+template <class Integer>
+std::vector<Integer> seeded_share(Integer count, double share, std::uint64_t seed) {
+  return seeded_subset(count, size_of_share(count, share), seed);
 }
 
 }  // namespace geodrome

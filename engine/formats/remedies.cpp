@@ -9,6 +9,7 @@ constexpr RemedySentence sentences[] = {
     {"consent", "set `yes`, ask for fewer sources or targets, or store float32"},
     {"output.distances", "name an output in `matrix` or `nearest`"},
     {"output.matrix", "name it in `matrix`"},
+    {"output.nearest", "name it in `nearest`"},
     {"output.pairs", "name an output in `out`"},
     {"output.page", "install Debian's nodejs and npm, then configure and build Geodrome again; or leave `page` empty"},
     {"resume", "set `resume` to go on with it"},
@@ -35,6 +36,9 @@ constexpr RemedySentence sentences[] = {
     {"varied.solver_or_points", "vary the solver, or set `read.as` to points to take the vertices as a sample"},
     {"solver.provides", "choose a solver that does (`PluginInfo::provides` tells)"},
     {"solver.needs", "repair the mesh, or choose a solver that needs less (`PluginInfo::needs` tells)"},
+    {"solver.bounds",
+     "choose a solver with a finite factor (`PluginInfo::default_factor` tells); the distances of an exact one are "
+     "their own lower bounds"},
     {"solver.pairs", "choose a `solver` that does ({0}), or use `run_distances`, which works with every solver"},
     {"solver.no_pairs", "no solver here does: use `run_distances`, which works with every solver"},
 };
@@ -74,6 +78,7 @@ namespace remedies {
 Remedy consent() { return made(row("consent")); }
 Remedy distances_output() { return made(row("output.distances")); }
 Remedy matrix_output() { return made(row("output.matrix")); }
+Remedy nearest_output() { return made(row("output.nearest")); }
 Remedy pairs_output() { return made(row("output.pairs")); }
 Remedy page_output() { return made(row("output.page")); }
 Remedy go_on() { return made(row("resume")); }
@@ -106,6 +111,7 @@ Remedy varied_only() { return made(row("varied.only")); }
 Remedy varied_solver_or_points() { return made(row("varied.solver_or_points")); }
 Remedy solver_that_provides() { return made(row("solver.provides")); }
 Remedy solver_that_needs_less() { return made(row("solver.needs")); }
+Remedy solver_with_bounds() { return made(row("solver.bounds")); }
 
 Remedy solver_of_pairs(const std::string& able) {
   return able.empty() ? made(row("solver.no_pairs")) : made(row("solver.pairs"), {able});

@@ -11,6 +11,7 @@ namespace geodrome::remedies {
 Remedy consent();             ///< to a matrix that is larger than jobs write unasked
 Remedy distances_output();    ///< for a job that would write nothing
 Remedy matrix_output();       ///< for an option that only a matrix has
+Remedy nearest_output();      ///< for an option that only the table of nearest sources has
 Remedy pairs_output();        ///< for pairs that would be written nowhere
 Remedy page_output();         ///< for a page whose template was not built
 Remedy go_on();               ///< with an unfinished matrix
@@ -47,6 +48,7 @@ Remedy varied_only();              ///< for a stage that is both chosen and vari
 Remedy varied_solver_or_points();  ///< for a sample stage that is varied, and a mesh
 Remedy solver_that_provides();     ///< what another does not provide
 Remedy solver_that_needs_less();   ///< than the mesh has
+Remedy solver_with_bounds();       ///< for lower bounds, where a solver has none
 /// For a solver without a pair oracle; `able` names those that have one, separated by commas, or is empty.
 Remedy solver_of_pairs(const std::string& able);
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <new>
@@ -125,13 +126,27 @@ const char* signal_name(int signal) noexcept {
 
 void on_crash(int signal) { end_with_message("crashed with ", signal_name(signal)); }
 
+[[noreturn]] void end_without_memory() noexcept {
+  for (const char* part : {"geodrome: out of memory; ", out_of_memory_remedy, "\n"}) say(part);
+  _exit(4);
+}
+
+/// There is no exception where memory does not suffice for one.
+bool memory_ran_out() noexcept {
+  void* volatile some = std::malloc(256);  // compilers leave out memory that nobody looks at
+  std::free(some);
+  return some == nullptr;
+}
+
 [[noreturn]] void on_terminate() noexcept {
-  if (!std::current_exception()) end_with_message("called std::terminate", "");
+  if (!std::current_exception()) {
+    if (memory_ran_out()) end_without_memory();
+    end_with_message("called std::terminate", "");
+  }
   try {
     throw;
   } catch (const std::bad_alloc&) {
-    for (const char* part : {"geodrome: out of memory; ", out_of_memory_remedy, "\n"}) say(part);
-    _exit(4);
+    end_without_memory();
   } catch (const std::exception& error) {
     end_with_message("ended the program with an exception: ", error.what());
   } catch (...) {
@@ -155,9 +170,9 @@ PluginScope::~PluginScope() {
 }
 
 void install_crash_handlers() noexcept {
+  std::set_terminate(on_terminate);
   provide_handler_stack();
   handlers_installed = true;
-  std::set_terminate(on_terminate);
   struct sigaction action {};
   action.sa_handler = on_crash;
   action.sa_flags = SA_ONSTACK | static_cast<int>(SA_RESETHAND);

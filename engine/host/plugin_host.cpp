@@ -2,6 +2,7 @@
 #include "geodrome/engine/plugin_host.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <map>
 #include <tuple>
@@ -119,6 +120,13 @@ std::shared_ptr<const void> create(const LoadedPlugin& plugin, const OptionValue
           }};
 }
 
+/// The plugin as it is with options that may change its factor: a finite one implies that no distance is too short.
+PluginInfo with_factor(PluginInfo plugin, Provides stated, double factor) {
+  plugin.provides = stated;
+  if (std::isfinite(factor)) plugin.provides |= Provides::never_shorter;
+  return plugin;
+}
+
 }  // namespace
 
 PluginHost::PluginHost(std::vector<fs::path> extra_folders) {
@@ -200,7 +208,8 @@ PluginHost::Loaded PluginHost::load_object(std::string_view stage, std::string_v
     auto object = create(plugin, options);
     const double factor = descriptor.factor(&options);
     if (!(factor >= 1)) throw PluginError("its factor with these options is " + std::to_string(factor) + ", below 1");
-    return {std::move(object), plugin.info, std::move(options), factor, descriptor.extension};
+    return {std::move(object), with_factor(plugin.info, descriptor.provides, factor), std::move(options), factor,
+            descriptor.extension};
   });
 }
 

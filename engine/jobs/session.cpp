@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/checks/nearest_audit.hpp"
+#include "engine/checks/distance_audit.hpp"
 #include "engine/checks/path_audit.hpp"
 #include "engine/jobs/check.hpp"
 #include "engine/jobs/pairs/distances.hpp"
 #include "engine/jobs/session_state.hpp"
 #include "engine/report/provenance.hpp"
 #include "engine/search/distances.hpp"
+#include "engine/search/lower_bounds.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/search/rows.hpp"
 #include "engine/surface/selection.hpp"
@@ -33,6 +34,10 @@ struct Session::Impl : SessionState {
     tell_off_surface(start.input(), start.surface(), {{selection, points}}, observer);
     return points;
   }
+
+  /// Fills the rows of `wanted` that the sink does not have.
+  void make_rows(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
+                 const DistanceOptions& options, const RowSet& wanted, RowExtras extras);
 
   /// Calls `use` with the surface of the path that the rule gives, the solver prepared on it, and a context.
   template <class Use>
@@ -74,6 +79,19 @@ void Session::Impl::on_path(const NamedPoint& from, const NamedPoint& to, Projec
   StageContext searching = context(ShortestPathSolver::stage, 1);
   if (on.mesh == start.surface().mesh) return use(prepared(), on, searching);
   use(prepare_solver(plugin, on.mesh, host, settings, observer), on, searching);
+}
+
+void Session::Impl::make_rows(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
+                              const DistanceOptions& options, const RowSet& wanted, RowExtras extras) {
+  check_limit(options.max_distance);
+  check_starts(sources);
+  check_rule(options.rule, start.opened, sources);
+  const SourceSurfaces surfaces(options.rule, start.opened, {targets.begin(), targets.end()});
+  check_provides(plugin.info, options.rule, sources, targets, options.max_distance);
+  RowMaker maker(prepared(), surfaces, sources, options.max_distance, settings.seed, observer, std::move(extras));
+  const unsigned threads = thread_count(settings);
+  StageContext rows = context("distances", threads);
+  compute_rows(wanted, maker, sink, threads, rows);
 }
 
 Observer& silent_observer() noexcept {
@@ -158,18 +176,27 @@ void Session::distances(std::span<const NamedPoint> sources, std::span<const Nam
 
 void Session::distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
                         const DistanceOptions& options, std::optional<RowSet> rows) const {
-  check_limit(options.max_distance);
-  check_starts(sources);
   const RowSet wanted = rows.value_or(RowSet::all(sources.size()));
   check_rows(wanted, sources.size());
-  check_rule(options.rule, impl_->start.opened, sources);
-  const SourceSurfaces surfaces(options.rule, impl_->start.opened, {targets.begin(), targets.end()});
-  check_provides(impl_->plugin.info, options.rule, sources, targets, options.max_distance);
-  RowMaker maker(impl_->prepared(), surfaces, sources, options.max_distance, impl_->settings.seed, impl_->observer);
-  const unsigned threads = thread_count(impl_->settings);
-  StageContext context = impl_->context("distances", threads);
-  compute_rows(wanted, maker, sink, threads, context);
+  impl_->make_rows(sources, targets, sink, options, wanted, {});
   if (!rows) sink.finish();
+}
+
+BoundedDistances Session::bounded_distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                            const DistanceOptions& options) const {
+  check_bounds_rule(options.rule);
+  demand_lower_bounds(impl_->plugin);
+  const std::size_t count = targets.size();
+  std::vector<double> both(2 * sources.size() * count);
+  MatrixInMemory<double> matrix(both, sources.size(), 2 * count);
+  impl_->make_rows(sources, targets, matrix, options, RowSet::all(sources.size()), {.bounds = true});
+  BoundedDistances result;
+  for (auto row = both.begin(); row != both.end(); row += static_cast<std::ptrdiff_t>(2 * count)) {
+    const auto middle = row + static_cast<std::ptrdiff_t>(count);
+    result.distances.insert(result.distances.end(), row, middle);
+    result.bounds.insert(result.bounds.end(), middle, middle + static_cast<std::ptrdiff_t>(count));
+  }
+  return result;
 }
 
 std::vector<Distance> Session::nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
@@ -201,9 +228,8 @@ std::vector<std::string> Session::audit_nearest(std::span<const NamedPoint> sour
   if (!(share > 0 && share <= 1)) throw OptionError("the audit's share must be above 0, up to 1");
   const TargetList list({targets.begin(), targets.end()}, surface());
   StageContext context = impl_->context("audit", 1);
-  return broken_promises(geodrome::audit_nearest(impl_->prepared(), *surface().mesh,
-                                                 {sources, list, nearest, max_distance}, share, impl_->settings.seed,
-                                                 context));
+  return broken_promises(audit_distances(impl_->prepared(), *surface().mesh, {sources, list, nearest, max_distance},
+                                         share, impl_->settings.seed, context));
 }
 
 std::vector<std::string> Session::audit_path(const NamedPoint& from, const NamedPoint& to, const PathResult& path,

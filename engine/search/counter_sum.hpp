@@ -18,10 +18,10 @@ inline bool is_largest(std::string_view counter) { return counter.starts_with("l
 /// Adds the counters of searches up; those that are named "largest_..." are combined by maximum. Thread-safe.
 class CounterSum {
  public:
-  void add(const PreparedSolver& solver, std::span<const Counter> counters) {
+  void add(const PreparedSolver& solver, const ShortestPathMap& map) {
     const std::lock_guard lock(mutex_);
     cross_boundary(solver.plugin.info, [&] {
-      for (const Counter& counter : counters) {
+      for (const Counter& counter : map.counters()) {
         std::uint64_t& sum = sums_[counter.name];
         sum = is_largest(counter.name) ? std::max(sum, counter.value) : sum + counter.value;
       }

@@ -56,31 +56,7 @@ Distance by_search(const ShortestPathMap& map, const Starts& starts, std::span<c
   return std::isinf(d) ? Distance{d, Reach::beyond_limit, no_index} : Distance{d, Reach::reached, source};
 }
 
-}  // namespace
-
-void throw_no_distance(double value, const std::string& whose) {
-  throw NumericalError("computed " + std::to_string(value) + " as the distance of " + whose,
-                       "choose another solver, and report this to the author of the plugin");
-}
-
-std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
-                                      const TargetList& targets, double max_distance, RunContext& context,
-                                      std::span<double> row) {
-  // With a single source its start distance only shifts the row, so no solver needs to know of it.
-  const double radius = max_distance - source.start;
-  if (source.place.state != Place::State::on_surface || radius < 0) {
-    read_row(nullptr, source, targets, max_distance, row);
-    return {};
-  }
-  const Source from{source.place.at, 0};
-  const ShortestPathMap& map =
-      run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
-  return cross_boundary(solver.plugin.info, [&] {
-    read_row(&map, source, targets, max_distance, row);
-    return map.counters();
-  });
-}
-
+/// By the map of a search from that source alone; null where none is needed.
 void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
               std::span<double> row) {
   const DistanceRule rule{targets.bounded(), max_distance};
@@ -92,8 +68,30 @@ void read_row(const ShortestPathMap* map, const NamedPoint& source, const Target
   }
 }
 
+}  // namespace
+
+void throw_no_distance(double value, const std::string& whose) {
+  throw NumericalError("computed " + std::to_string(value) + " as the distance of " + whose,
+                       "choose another solver, and report this to the author of the plugin");
+}
+
+const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                    const TargetList& targets, double max_distance, RunContext& context,
+                                    std::span<double> row) {
+  // With a single source its start distance only shifts the row, so no solver needs to know of it.
+  const double radius = max_distance - source.start;
+  const ShortestPathMap* map = nullptr;
+  if (source.place.state == Place::State::on_surface && radius >= 0) {
+    const Source from{source.place.at, 0};
+    map = &run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
+  }
+  cross_boundary(solver.plugin.info, [&] { read_row(map, source, targets, max_distance, row); });
+  return map;
+}
+
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
-                                        const TargetList& targets, double max_distance, RunContext& context) {
+                                        const TargetList& targets, double max_distance, RunContext& context,
+                                        const WatchNearest& watch) {
   if (std::ranges::any_of(sources, [](const NamedPoint& source) { return source.start > 0; }))
     demand(solver.plugin.info, Provides::start_distances);
   const DistanceRule rule{targets.bounded(), max_distance};
@@ -112,7 +110,16 @@ std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<
       nearest.push_back(
           cross_boundary(solver.plugin.info, [&] { return by_search(*map, starts, sources, target, rule); }));
   }
+  if (watch) watch(map, nearest);
   return nearest;
+}
+
+double searched_distance(const PreparedSolver& solver, Search& search, const Place& from, const Place& to,
+                         RunContext& context) {
+  const Source source{from.at, 0};
+  const Request request{.targets = {&to.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit)};
+  const ShortestPathMap& map = run_search(solver, search, {&source, 1}, request, context);
+  return cross_boundary(solver.plugin.info, [&] { return map.at(to.at).value; });
 }
 
 double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number) {
@@ -131,12 +138,16 @@ PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, 
   const ShortestPathMap* map = nullptr;
   const double along = surface_distance(from.place, end.place, [&] {
     const Source source{from.place.at, 0};
-    map = &run_search(solver, *search, {&source, 1}, {.targets = to.points(), .keep = Keep::map}, context);
+    const Request request{
+        .targets = {&end.place.at, 1}, .stop_at_targets = solver.provides(Provides::target_limit), .keep = Keep::map};
+    map = &run_search(solver, *search, {&source, 1}, request, context);
     return cross_boundary(solver.plugin.info, [&] { return to.read(*map, 0); });
   });
   PathResult path;
   if (map && std::isfinite(along)) path = trace_path(solver, *map, end.place.at, mesh);
-  path.distance = DistanceRule{to.bounded()}(along, {from.place}, end);
+  // A path is real: one that is shorter than the distance is nearer to the true one.
+  const bool is_better = !path.points.empty() && path.length < along && !solver.provides(Provides::path_is_distance);
+  path.distance = DistanceRule{to.bounded()}(is_better ? path.length : along, {from.place}, end);
   return path;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
@@ -45,29 +46,35 @@ struct DistanceRule {
   }
 };
 
-/// Fills one row: the distances of all targets from one source. Returns the search's counters, valid until its next
-/// run; empty if none was needed. Throws what the solver throws, NumericalError for what is no distance.
-std::span<const Counter> distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
-                                      const TargetList& targets, double max_distance, RunContext& context,
-                                      std::span<double> row);
+/// Fills one row: the distances of all targets from one source. Returns the map it was read from, which started at 0,
+/// valid until the next run of the search; null if none was needed. Throws what the solver throws, NumericalError for
+/// what is no distance.
+const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
+                                    const TargetList& targets, double max_distance, RunContext& context,
+                                    std::span<double> row);
 
-/// The same row by the map of a search from that source alone, which started at 0 and knows the targets. To be called
-/// inside `cross_boundary`. A source that lies on no surface needs no map: null.
-void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
-              std::span<double> row);
+/// Is told the map of the search from all sources, null if no search was needed, and what became of it.
+using WatchNearest = std::function<void(const ShortestPathMap* map, std::span<const Distance> nearest)>;
 
 /// One search from all sources: the distance of every target from the source that is nearest, and which that is; NaN
 /// for a target that has no distances. Throws as `distance_row`, NumericalError for a reach that its distance
 /// contradicts, CapabilityError if a start distance is wanted that the solver does not provide.
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
-                                        const TargetList& targets, double max_distance, RunContext& context);
+                                        const TargetList& targets, double max_distance, RunContext& context,
+                                        const WatchNearest& watch = {});
+
+/// The distance of two places on the surface by a search from the one that stops at the other where the solver can.
+/// Throws as `distance_row`. Precondition: the solver takes a source and answers there.
+double searched_distance(const PreparedSolver& solver, Search& search, const Place& from, const Place& to,
+                         RunContext& context);
 
 /// The distance of a pair along the surface, by an oracle that `solver` made; `number` of the pair, for messages. To be
 /// called inside `cross_boundary`. Throws as `distance_row`.
 double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number);
 
-/// The shortest path on `mesh` from `from`, without its start distance, to the only target. Throws as `distance_row`
-/// and `trace_path`. Precondition: the solver provides paths.
+/// The shortest path on `mesh` from `from`, without its start distance, to the only target. Its distance is the
+/// solver's, or the length of the path if that is shorter and the solver does not state that both are one. Throws as
+/// `distance_row` and `trace_path`. Precondition: the solver provides paths.
 PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, const NamedPoint& from,
                          const TargetList& to, RunContext& context);
 

@@ -60,4 +60,10 @@ void check_path_rule(ProjectionRule rule) {
                       remedies::insertion_or_default_rule());
 }
 
+void check_bounds_rule(ProjectionRule rule) {
+  if (rule == ProjectionRule::printed)
+    throw OptionError("the rule printed has no lower bounds: its distances are no lengths of paths",
+                      remedies::insertion_or_default_rule());
+}
+
 }  // namespace geodrome

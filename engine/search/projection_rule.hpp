@@ -23,7 +23,8 @@ void check_rule(ProjectionRule rule, const Opened& opened, std::span<const Named
 /// Throws OptionError unless it is a number >= 0.
 void check_limit(double max_distance);
 
-/// Throws OptionError for `printed`, which has no paths.
+/// Throw OptionError for `printed`, which has no paths, and so no lower bounds.
 void check_path_rule(ProjectionRule rule);
+void check_bounds_rule(ProjectionRule rule);
 
 }  // namespace geodrome

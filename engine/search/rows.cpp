@@ -1,31 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "engine/search/rows.hpp"
 
+#include <utility>
+
 #include "engine/search/distances.hpp"
+#include "engine/search/lower_bounds.hpp"
 #include "engine/search/parallel_rows.hpp"
 
 namespace geodrome {
 
 RowMaker::RowMaker(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
-                   double max_distance, std::uint64_t seed, Observer& observer)
+                   double max_distance, std::uint64_t seed, Observer& observer, RowExtras extras)
     : solver_(solver),
       surfaces_(surfaces),
       sources_(sources),
       max_distance_(max_distance),
       quiet_(observer),
-      context_(ShortestPathSolver::stage, quiet_, 1, seed) {}
+      context_(ShortestPathSolver::stage, quiet_, 1, seed),
+      extras_(std::move(extras)) {}
 
 void RowMaker::make(Search& search, std::uint64_t i, std::span<double> row) {
   const SourceSurface on = surfaces_.of(sources_[i]);
   if (sources_[i].place.state == Place::State::on_surface) ++insertions_[static_cast<std::size_t>(on.how)];
-  if (on.mesh == surfaces_.reconstruction()) return measure(solver_, search, on, row);
+  if (on.mesh == surfaces_.reconstruction()) return measure(solver_, search, i, on, row);
   const PreparedSolver own = prepared_on(solver_, on.mesh, context_);
-  measure(own, *make_search(own), on, row);
+  measure(own, *make_search(own), i, on, row);
 }
 
-void RowMaker::measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row) {
-  const auto counters = distance_row(solver, search, on.source, *on.targets, max_distance_, context_, row);
-  if (!counters.empty()) counters_.add(solver_, counters);
+void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64_t i, const SourceSurface& on,
+                       std::span<double> row) {
+  const std::size_t targets = on.targets->size();
+  const std::span<double> distances = row.first(targets);
+  const ShortestPathMap* map = distance_row(solver, search, on.source, *on.targets, max_distance_, context_, distances);
+  if (extras_.bounds)
+    cross_boundary(solver.plugin.info, [&] {
+      read_lower_bounds(solver, map, on.source, *on.targets, max_distance_, distances, row.subspan(targets));
+    });
+  if (!map) return;
+  counters_.add(solver_, *map);
+  if (extras_.watch) extras_.watch(i, on, *map);
 }
 
 std::map<std::string, std::uint64_t> RowMaker::insertions() const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <atomic>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -27,15 +28,26 @@ class WithoutProgress final : public Observer {
   Observer& observer_;
 };
 
+/// Is told of the search of source `i`: its surface, and the map, which started at 0. Called from several threads at
+/// once.
+using WatchRows = std::function<void(std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map)>;
+
+/// What is wanted beside the distances.
+struct RowExtras {
+  bool bounds = false;  ///< each row is followed by that of its lower bounds: see `read_lower_bounds`
+  WatchRows watch;      ///< may be empty
+};
+
 /// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source.
 /// Thread-safe.
 class RowMaker {
  public:
   /// All must outlive it. `solver` has the reconstruction of `surfaces` prepared.
   RowMaker(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
-           double max_distance, std::uint64_t seed, Observer& observer);
+           double max_distance, std::uint64_t seed, Observer& observer, RowExtras extras = {});
 
-  std::size_t columns() const { return surfaces_.targets().size(); }
+  /// Numbers in a row, bounds included.
+  std::size_t columns() const { return (extras_.bounds ? 2 : 1) * surfaces_.targets().size(); }
   const PreparedSolver& solver() const { return solver_; }
 
   /// Fills the row of source `i`. `search`: on the reconstruction. Throws as `distance_row`.
@@ -47,7 +59,8 @@ class RowMaker {
   std::map<std::string, std::uint64_t> insertions() const;
 
  private:
-  void measure(const PreparedSolver& solver, Search& search, const SourceSurface& on, std::span<double> row);
+  void measure(const PreparedSolver& solver, Search& search, std::uint64_t i, const SourceSurface& on,
+               std::span<double> row);
 
   const PreparedSolver& solver_;
   const SourceSurfaces& surfaces_;
@@ -55,6 +68,7 @@ class RowMaker {
   double max_distance_;
   WithoutProgress quiet_;
   StageContext context_;
+  RowExtras extras_;
   CounterSum counters_;
   std::array<std::atomic<std::uint64_t>, 4> insertions_{};
 };

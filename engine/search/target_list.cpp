@@ -17,7 +17,7 @@ bool is_no_vertex(const NamedPoint& point) {
 }  // namespace
 
 TargetList::TargetList(std::vector<NamedPoint> targets, const PlacedSurface& surface)
-    : named_(std::move(targets)), bounded_(surface.made_from == InputKind::points) {
+    : named_(std::move(targets)), bounded_(surface.made_from == InputKind::points), one_point_each_(true) {
   for (const NamedPoint& target : named_) {
     first_.push_back(points_.size());
     if (is_no_vertex(target)) points_.push_back(target.place.at);
@@ -26,7 +26,7 @@ TargetList::TargetList(std::vector<NamedPoint> targets, const PlacedSurface& sur
 }
 
 TargetList::TargetList(std::vector<NamedPoint> targets, const std::vector<std::vector<SurfacePoint>>& points)
-    : named_(std::move(targets)), bounded_(false) {
+    : named_(std::move(targets)), bounded_(false), one_point_each_(false) {
   for (const auto& of_target : points) {
     first_.push_back(points_.size());
     points_.insert(points_.end(), of_target.begin(), of_target.end());

@@ -29,12 +29,14 @@ class TargetList {
 
   /// True if the surface is an estimate, made from points: no distance of theirs is below the straight line.
   bool bounded() const noexcept { return bounded_; }
+  /// False if the closest of several points may count for a target.
+  bool one_point_each() const noexcept { return one_point_each_; }
 
  private:
   std::vector<NamedPoint> named_;
   std::vector<SurfacePoint> points_;
   std::vector<std::size_t> first_;  // per target: its points in points_ end where those of the next one begin
-  bool bounded_;
+  bool bounded_, one_point_each_;
 };
 
 /// Throws CapabilityError as `demand` if the solver lacks what these sources, targets and limit take. Sources that the

@@ -12,6 +12,14 @@
 
 namespace geodrome {
 
+/// The cost of the straight way between two points of one face: the length in space, from differences of coordinates so
+/// that it is exact far from the origin too, times the face's weight.
+inline double straight_within(const SurfaceMesh& mesh, Index face, const std::array<double, 3>& a,
+                              const std::array<double, 3>& b) {
+  const auto [p, q, r] = mesh.corners(face);
+  return weight_of(mesh, face) * norm((a[1] - b[1]) * (q - p) + (a[2] - b[2]) * (r - p));
+}
+
 /// Which faces hold a surface point, and distances within them: what is needed to judge a polyline on a surface without
 /// trusting the solver that made it. A point on an edge or at a vertex lies in all faces of that edge or vertex.
 class CommonFace {
@@ -69,17 +77,11 @@ class CommonFace {
     for (const Index face : faces) {
       const auto a = on_face(p, face), b = on_face(q, face);
       if (!a || !b) continue;
-      const double cost = weight_of(mesh_, face) * within(face, *a, *b);
+      const double cost = straight_within(mesh_, face, *a, *b);
       if (mesh_.face_weights().empty()) return cost;  // the same in every face
       cheapest = std::min(cost, cheapest.value_or(cost));
     }
     return cheapest;
-  }
-
-  /// The distance in space of two points of one face, from differences of coordinates: exact far from the origin too.
-  double within(Index face, const std::array<double, 3>& a, const std::array<double, 3>& b) const {
-    const auto [p, q, r] = mesh_.corners(face);
-    return norm((a[1] - b[1]) * (q - p) + (a[2] - b[2]) * (r - p));
   }
 
  private:

@@ -117,7 +117,6 @@ std::unique_ptr<PreparedSurface> CgalSolver::prepare(MeshPtr mesh, RunContext& c
   context.throw_if_cancelled();
   require_unweighted(*mesh);
   if (!mesh->manifold() || !mesh->oriented()) throw CapabilityError("the mesh must be manifold and oriented");
-  CGAL::set_warning_behaviour(CGAL::CONTINUE);
   return cgal::with_lengths(*mesh, cgal::lost_share, [&] {
     return guarded([&] { return std::make_unique<CgalPrepared>(mesh); },
                    "check the mesh for needle faces and faces without area, or choose another solver");

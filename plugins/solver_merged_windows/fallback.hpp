@@ -27,7 +27,8 @@ class Fallback {
     Exact::Way exact;
   };
 
-  Fallback(const PackedMesh& surface, const Settings& settings) : surface_(surface), merged_(surface, settings) {}
+  Fallback(const PackedMesh& surface, const Settings& settings)
+      : surface_(surface), delta_(settings.delta), merged_(surface, settings) {}
 
   void begin(bool keep, double limit);
   void seed(const Source& source, Index number);
@@ -50,6 +51,8 @@ class Fallback {
   double lower_bound(Index vertex) const {
     return is_exact_ ? exact_->answer(vertex).distance : merged_.lower_bound(vertex);
   }
+  /// The factor that all distances of this run keep, also at points in faces.
+  double factor() const { return is_exact_ ? 1 : 1 + delta_; }
   Way way_to(const SurfacePoint& inner, double best) const;
   void trace(const Way& way, std::vector<SurfacePoint>& out) const;
   void trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const;
@@ -61,6 +64,7 @@ class Fallback {
   void begin_exact();
 
   const PackedMesh& surface_;
+  double delta_;
   Propagation merged_;
   std::optional<Exact> exact_;  ///< made when it is needed first
   bool is_exact_ = false, keep_ = false;

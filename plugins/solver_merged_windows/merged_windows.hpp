@@ -17,14 +17,18 @@ class MergedWindowsSolver final : public ShortestPathSolver {
  public:
   static constexpr Provides provides = Provides::start_distances | Provides::face_sources | Provides::radius_limit |
                                        Provides::target_limit | Provides::any_point | Provides::paths |
-                                       Provides::factor_any_point | Provides::never_shorter;
+                                       Provides::factor_any_point;
   using Settings = merged_windows::Settings;
   static constexpr auto options = settings_table(
-      option("delta", &Settings::delta, "1e-3", 1e-6, 1, "", "distances are at most 1 + delta times too long"));
+      option("delta", &Settings::delta, "1e-3", 1e-6, 1, "", "distances are at most 1 + delta times too long"),
+      option("value", &Settings::value, "upper", "upper|middle",
+             {merged_windows::Value::upper, merged_windows::Value::middle},
+             "of the interval that is known: its upper end, the length of a path, or its middle, within delta / 2 of "
+             "the distance either way and nearer as a rule, but without a factor, since it may be too short"));
 
   explicit MergedWindowsSolver(const OptionValues& values) : settings_(options.parsed(values)) {}
 
-  /// 1 + delta.
+  /// 1 + delta, which implies that no distance is too short; none for the middle, which may be.
   static double factor(const OptionValues* values) noexcept;
 
   /// O(F log F). Throws CapabilityError for face weights.

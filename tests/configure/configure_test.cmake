@@ -34,7 +34,8 @@ if(CASE STREQUAL "choice")
   string(JOIN "\;" some control_constant decimator_none reconstructor_stars solver_chen_han tangent_pca tangent_jet)
   configure("-DGEODROME_PLUGINS=${some}")
   expect_left_out(control_lipschitz decimator_greedy reconstructor_advancing_front reconstructor_delaunay_cut
-    solver_cgal solver_aleksandrov solver_edge_dijkstra solver_fast_marching solver_heat solver_schreiber tangent_pole)
+    solver_cgal solver_aleksandrov solver_edge_dijkstra solver_fast_marching solver_heat solver_merged_windows
+    solver_schreiber tangent_pole)
   expect_said("solver_cgal is left out: GEODROME_PLUGINS does not name it")
 elseif(CASE STREQUAL "core")
   configure(-DGEODROME_PLUGINS=solver_aleksandrov)

@@ -56,6 +56,7 @@ DemandTable source_demands();
 DemandTable path_demands();
 DemandTable surface_demands();
 DemandTable discipline_demands();
+DemandTable lower_bound_demands();
 DemandTable weight_demands();
 DemandTable pair_oracle_demands();
 DemandTable tangent_demands();

@@ -12,14 +12,8 @@
 #include <iostream>
 
 #include "engine/host/answer.hpp"
+#include "engine/host/crashes_are_signals.hpp"
 #include "tools/conformance/verdict_json.hpp"
-
-#if defined(__SANITIZE_ADDRESS__)
-// A crash must be seen as the signal it is; leaks are judged by a demand of their own.
-extern "C" const char* __asan_default_options() {
-  return "handle_segv=0:handle_sigbus=0:handle_abort=0:detect_leaks=0";
-}
-#endif
 
 namespace {
 

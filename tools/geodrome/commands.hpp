@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "geodrome/engine/accuracy.hpp"
 #include "geodrome/engine/formats.hpp"
 #include "geodrome/engine/jobs.hpp"
 
@@ -50,7 +51,8 @@ Command<Arguments> add_command(CLI::App& parent, Action& action, const std::stri
 
 /// Options that several subcommands share, each declared once.
 void add_input(CLI::App& command, std::filesystem::path& file);
-void add_solver(CLI::App& command, StageChoice& stages);
+/// By name, or by accuracy for what is asked of it.
+void add_solver(CLI::App& command, StageChoice& stages, Asked asked = Asked::searches);
 /// What every job has: sample stages, reading, plugins, threads, seed, quiet.
 void add_job_options(CLI::App& command, RunSettings& settings, bool& quiet);
 void add_sample_stages(CLI::App& command, StageChoice& stages);

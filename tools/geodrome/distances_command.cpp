@@ -19,6 +19,12 @@ void add_distance_outputs(CLI::App& command, DistanceJob& job) {
                          {{"float64", ScalarType::float64}, {"float32", ScalarType::float32}}, "Numbers of an .npy");
   command.add_option("--nearest", job.nearest, "One search from all sources: " + help_for_writing(Content::nearest))
       ->type_name("FILE");
+  command
+      .add_option("--bounds", job.bounds,
+                  "Lower bounds of the distances in OUTPUT, in its layout: no true one is below; for solvers with a "
+                  "guarantee")
+      ->type_name("FILE");
+  command.add_flag("--nearest-bounds", job.nearest_bounds, "A column of lower bounds in the table of --nearest");
   command.add_option("--report", job.report, "Everything about the run, as JSON")->type_name("FILE");
   command.add_option("--surface", job.surface, "The surface that was used: " + help_for_writing(Content::mesh))
       ->type_name("FILE");

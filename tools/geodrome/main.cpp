@@ -88,12 +88,14 @@ int run(int argc, char** argv) {
   return done;
 }
 
+/// Comes before the objects of libraries that are made before main: their memory may not suffice either.
+[[gnu::constructor(101)]] void install_first() { geodrome::install_crash_handlers(); }
+
 }  // namespace
 
 int main(int argc, char** argv) {
   occupy_standard_streams();
   take_signals_of_writing_as_errors();
-  geodrome::install_crash_handlers();
   try {
     return run(argc, argv);
   } catch (const std::bad_alloc& error) {

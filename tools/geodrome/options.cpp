@@ -89,10 +89,18 @@ void add_sample_stages(CLI::App& command, StageChoice& stages) {
   add("--reconstructor", stages.reconstructor, "Surface through the kept points");
 }
 
-void add_solver(CLI::App& command, StageChoice& stages) {
-  command.add_option("--solver", stages.solver, "Shortest-path solver")
-      ->type_name("NAME[:k=v,...]")
-      ->capture_default_str();
+void add_solver(CLI::App& command, StageChoice& stages, Asked asked) {
+  CLI::Option* by_name = command.add_option("--solver", stages.solver, "Shortest-path solver")
+                             ->type_name("NAME[:k=v,...]")
+                             ->capture_default_str();
+  const auto choose = [&stages, asked](const std::string& accuracy) {
+    stages.solver = solver_of_accuracy(accuracy, asked);
+  };
+  const char* help = asked == Asked::pairs
+                         ? "In place of --solver: a number from 1e-4 to 1, by which distances are at most too long"
+                         : "In place of --solver: 'exact', or a number from 1e-6 to 1, as 1e-3, by which distances are "
+                           "at most too long; never too short";
+  command.add_option_function<std::string>("--accuracy", choose, help)->type_name("DELTA")->excludes(by_name);
 }
 
 void add_plugin_path(CLI::App& command, std::vector<std::filesystem::path>& folders) {

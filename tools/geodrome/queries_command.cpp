@@ -33,7 +33,7 @@ void add_queries(CLI::App& app, Action& action) {
   command.add_option("--index", job.index, "The oracle: read if FILE is there, else built and saved to it")
       ->type_name("FILE");
   command.add_option("--report", job.report, "Everything about the run, as JSON")->type_name("FILE");
-  add_solver(command, job.settings.stages);
+  add_solver(command, job.settings.stages, Asked::pairs);
   add_job_options(command, job.settings, arguments.quiet);
 }
 

@@ -11,6 +11,7 @@ constexpr RemedySentence sentences[] = {
     {"consent", "say --yes, ask for fewer sources or targets, or store float32"},
     {"output.distances", "name an output: -o FILE or --nearest FILE"},
     {"output.matrix", "name it with -o FILE"},
+    {"output.nearest", "name it with --nearest FILE"},
     {"output.pairs", "name an output: -o FILE"},
     {"output.page", "install Debian's nodejs and npm, then configure and build Geodrome again; or leave --html out"},
     {"resume", "--resume goes on with it"},
@@ -37,6 +38,9 @@ constexpr RemedySentence sentences[] = {
     {"varied.solver_or_points", "vary the solver, or say --as points to take the vertices as a sample"},
     {"solver.provides", "choose a solver that does ('geodrome plugins show NAME' tells)"},
     {"solver.needs", "repair the mesh, or choose a solver that needs less ('geodrome plugins show NAME' tells)"},
+    {"solver.bounds",
+     "choose a solver with a guarantee ('geodrome plugins show NAME' tells), as --accuracy does; the distances of an "
+     "exact one are their own lower bounds"},
     {"solver.pairs",
      "say --solver with one that does ({0}), or use 'geodrome distances', which works with every solver"},
     {"solver.no_pairs", "no solver here does: use 'geodrome distances', which works with every solver"},

@@ -14,17 +14,11 @@
 #include <iostream>
 
 #include "engine/host/answer.hpp"
+#include "engine/host/crashes_are_signals.hpp"
 #include "engine/host/handshake.hpp"
 #include "engine/host/loader_words.hpp"
 #include "engine/host/plugin_json.hpp"
 #include "tools/vet/descriptor.hpp"
-
-#if defined(__SANITIZE_ADDRESS__)
-// A crash must reach the host as the signal it is.
-extern "C" const char* __asan_default_options() {
-  return "handle_segv=0:handle_sigbus=0:handle_abort=0:detect_leaks=0";
-}
-#endif
 
 namespace {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 // The engine as a library: what the program `geodrome` does, from C++.
+#include "geodrome/engine/accuracy.hpp"
 #include "geodrome/engine/audit.hpp"
 #include "geodrome/engine/formats.hpp"
 #include "geodrome/engine/input.hpp"

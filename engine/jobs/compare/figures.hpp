@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/checks/interval_audit.hpp"
 #include "engine/checks/invariants.hpp"
 #include "engine/jobs/compare/errors.hpp"
 #include "engine/jobs/compare/guarantee.hpp"
@@ -51,6 +52,7 @@ struct CombinationFigures {
   std::vector<std::pair<std::string, double>> stage_seconds;
   SearchCost cost;
   ErrorFigures errors;
+  std::optional<IntervalFigures> certified;  ///< if the solver states lower bounds
   std::vector<NamedCheck> invariants;
   GuaranteeFigures guarantee;
   std::vector<GrowthStep> growth;  ///< smallest first, the input itself among them; empty if not asked for

@@ -160,6 +160,7 @@ class Comparison {
     figures.cost = measured.cost;
     figures.factor = measured.solver.plugin.factor;
     figures.never_shorter = measured.solver.provides(Provides::never_shorter);
+    figures.certified = measured.certified;
     figures.errors = compare_distances(measured.rows, true_rows);
     figures.invariants = checks_of(on, measured, settings_.seed);
     figures.guarantee = guarantee_of(on, measured, true_rows, truth_);

@@ -96,6 +96,10 @@ Json to_json(const CombinationFigures& combination) {
   json["seconds"] = seconds_json(combination);
   json["memory"] = {{"peak_bytes", or_null(cost.peak_bytes)}, {"prepared_bytes", cost.prepared_bytes}};
   json["errors"] = to_json(combination.errors);
+  if (const auto& certified = combination.certified)
+    json["certified"] = {{"largest", to_json(certified->largest)},
+                         {"mean", to_json(certified->mean())},
+                         {"worst", to_json(certified->worst)}};
   json["reach_differs"] = combination.errors.reach_differs;
   json["unreachable"] = combination.errors.unreachable;
   json["invariants"] = Json::array();

@@ -60,6 +60,14 @@ std::map<std::string, double> means(const std::map<std::string, std::uint64_t>& 
   return result;
 }
 
+/// Adds the intervals that the search of a source certifies.
+void certify(Measurement& measured, const SurfaceMesh& mesh, const ShortestPathMap& map, std::size_t source) {
+  const std::optional<IntervalFigures> figures = audit_intervals(measured.solver, mesh, map);
+  if (!figures) return;
+  if (!measured.certified) measured.certified.emplace();
+  measured.certified->add(*figures, source);
+}
+
 }  // namespace
 
 Measurement measure(const ComparedSurface& on, const Plugin<ShortestPathSolver>& solver, const PluginHost& host,
@@ -82,11 +90,14 @@ Measurement measure(const ComparedSurface& on, const Plugin<ShortestPathSolver>&
   std::size_t searches = 0;
   for (std::size_t i = 0; i < on.sources.size(); ++i) {
     const Stopwatch searching;
-    const auto counted =
+    const ShortestPathMap* map =
         distance_row(measured.solver, *search, on.sources[i], on.targets, infinity, context, measured.rows[i]);
     cost.source_seconds.push_back(searching.seconds());
-    if (on.sources[i].place.state == Place::State::on_surface) ++searches;
-    if (!counted.empty()) counters.add(measured.solver, counted);
+    if (map) {
+      ++searches;
+      counters.add(measured.solver, *map);
+      certify(measured, *on.surface->mesh, *map, i);
+    }
     context.throw_if_cancelled();
     all.next();
   }

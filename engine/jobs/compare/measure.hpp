@@ -10,7 +10,8 @@ namespace geodrome {
 struct Measurement {
   PreparedSolver solver;
   SearchCost cost;
-  DistanceRows rows;  ///< as `distances` gives them: sources by targets, start distances added
+  DistanceRows rows;                         ///< as `distances` gives them: sources by targets, start distances added
+  std::optional<IntervalFigures> certified;  ///< over all sources, if the solver states lower bounds
 };
 
 /// Prepares the surface and searches it from every source, on this thread alone.

@@ -60,6 +60,10 @@ std::string invariants_text(const CombinationFigures& combination) {
   return "NOT " + failing + (more > 0 ? " +" + std::to_string(more) : "");
 }
 
+std::string certified_text(const CombinationFigures& combination) {
+  return combination.certified ? number(combination.certified->largest, 2) : nothing;
+}
+
 constexpr Column columns[] = {
     {"prepare", 9, [](const CombinationFigures& c) { return seconds(c.cost.prepare_seconds); }},
     {"s/source", 9, [](const CombinationFigures& c) { return seconds(c.cost.median_seconds()); }},
@@ -68,6 +72,7 @@ constexpr Column columns[] = {
     {"mean", 8, [](const CombinationFigures& c) { return mean_of(c.errors.all); }},
     {"near", 8, [](const CombinationFigures& c) { return mean_of(c.errors.near); }},
     {"far", 8, [](const CombinationFigures& c) { return mean_of(c.errors.far); }},
+    {"certified", 11, certified_text},
     {"guarantee", 11, guarantee_text},
     {"invariants", 11, invariants_text},
     {"no path", 8, [](const CombinationFigures& c) { return std::to_string(c.errors.unreachable); }}};
@@ -89,15 +94,28 @@ std::size_t name_width(const ComparisonFigures& figures) {
   return width;
 }
 
+bool any_certified(const ComparisonFigures& figures) {
+  return std::ranges::any_of(figures.combinations,
+                             [](const CombinationFigures& c) { return c.ran() && c.certified.has_value(); });
+}
+
+/// All columns, but for that of the intervals where no solver states any.
+std::vector<Column> columns_of(const ComparisonFigures& figures) {
+  std::vector<Column> shown(std::begin(columns), std::end(columns));
+  if (!any_certified(figures)) std::erase_if(shown, [](const Column& c) { return c.cell == certified_text; });
+  return shown;
+}
+
 void print_table(const ComparisonFigures& figures, std::ostream& out) {
   const std::size_t width = name_width(figures);
+  const std::vector<Column> shown = columns_of(figures);
   out << first_column("combination", width);
-  for (const Column& column : columns) out << right(column.head, column.width);
+  for (const Column& column : shown) out << right(column.head, column.width);
   out << "\n";
   for (const CombinationFigures& combination : figures.combinations) {
     out << first_column(combination.name, width);
     if (combination.ran())
-      for (const Column& column : columns) out << right(column.cell(combination), column.width);
+      for (const Column& column : shown) out << right(column.cell(combination), column.width);
     else
       out << " not run: " << combination.error;
     out << "\n";
@@ -108,6 +126,8 @@ void print_notes(const ComparisonFigures& figures, std::ostream& out) {
   out << "truth: " << figures.truth.text << "\n"
       << "errors: |D/T - 1|; near: mean below " << near_share << " of the largest true distance, far: from "
       << far_share << " on; times in seconds, on one thread\n";
+  if (any_certified(figures))
+    out << "certified: what D can be off by at most, of the distance, by the solver's own lower bounds\n";
   for (const ComparedSource& source : figures.sources)
     if (source.off_surface > 0)
       out << "source " << source.entry << ": " << number(source.off_surface, 4)

@@ -8,7 +8,7 @@
 #include "engine/jobs/session_state.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
-#include "engine/search/distances.hpp"
+#include "engine/search/lower_bounds.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/surface/selection.hpp"
 #include "geodrome/engine/version.hpp"
@@ -57,6 +57,14 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   return json.dump();
 }
 
+void check_bounds(const DistanceJob& job) {
+  if (!job.bounds.empty() && job.matrix.empty())
+    throw OptionError("there is no matrix whose lower bounds were to be written", remedies::matrix_output());
+  if (job.nearest_bounds && job.nearest.empty())
+    throw OptionError("there is no table of nearest sources to write lower bounds into", remedies::nearest_output());
+  if (!job.bounds.empty()) check_bounds_rule(job.query);
+}
+
 /// Mistakes that would otherwise show after hours.
 void check_arguments(const DistanceJob& job) {
   if (job.matrix.empty() && job.nearest.empty()) throw OptionError("nothing to write", remedies::distances_output());
@@ -64,14 +72,16 @@ void check_arguments(const DistanceJob& job) {
     throw OptionError("the nearest source is sought on one surface for all sources, the rule " +
                           std::string(name(job.query)) + " has one for each of them",
                       remedies::default_rule());
+  check_bounds(job);
   check_limit(job.max_distance);
   if (!(job.audit_share >= 0 && job.audit_share <= 1)) throw OptionError("the audit's share must be from 0 to 1");
   if (job.resume && job.matrix.empty()) throw OptionError("there is no matrix to resume", remedies::matrix_output());
   check_ending(job.matrix, Content::matrix);
+  check_ending(job.bounds, Content::matrix);
   check_ending(job.nearest, Content::nearest);
   check_ending(job.report, Content::report);
   check_mesh_ending(job.surface, job.settings.read);
-  const std::filesystem::path outputs[] = {job.matrix, job.nearest, job.report, job.surface};
+  const std::filesystem::path outputs[] = {job.matrix, job.bounds, job.nearest, job.report, job.surface};
   const std::string selections[] = {job.sources, job.targets};
   check_outputs(outputs, files_read(job.input, job.settings.read, selections));
 }
@@ -93,19 +103,15 @@ void search(RunRecord& record, const SourceSurfaces& surfaces, std::span<const N
   const std::uint64_t seed = job.settings.seed;
   if (!job.nearest.empty()) {
     StageContext context("nearest", observer, 1, seed);
-    const Stopwatch watch;
-    std::vector<Distance> nearest = nearest_distances(solver, sources, targets, job.max_distance, context);
-    record.nearest = nearest_result(std::move(nearest), watch.seconds());
+    record.nearest = find_nearest(solver, *surfaces.reconstruction(), sources, targets, job.max_distance,
+                                  job.nearest_bounds, context);
     StageContext audit("audit", observer, 1, seed);
-    const GivenNearest given{sources, targets, record.nearest->distances, job.max_distance};
-    record.nearest->audit = audit_nearest(solver, *surfaces.reconstruction(), given, job.audit_share, seed, audit);
+    const GivenDistances given{sources, targets, record.nearest->distances, job.max_distance, record.nearest->vertices};
+    record.nearest->audit = audit_distances(solver, *surfaces.reconstruction(), given, job.audit_share, seed, audit);
   }
   if (!job.matrix.empty())
     record.matrix = compute_matrix(job, solver, surfaces, sources,
                                    fingerprint(job, record.start.opened, solver, sources, targets.named()), observer);
-  if (!record.matrix) return;
-  StageContext context("audit", observer, 1, seed);
-  record.audit = audit_sources(solver, surfaces, sources, record.matrix->given, job.audit_share, seed, context);
 }
 
 }  // namespace
@@ -117,6 +123,7 @@ JobReport run_distances(const DistanceJob& job, Observer& observer) {
   if (to.has_starts())
     throw OptionError("a target has a start distance, which only sources have", "leave out what follows ' +' there");
   SessionState session(job.settings, observer, demands_of(job, from));
+  if (!job.bounds.empty() || job.nearest_bounds) demand_lower_bounds(session.plugin);
   session.begin(job.input);
   const JobStart& start = session.start;
   const Opened& opened = start.opened;

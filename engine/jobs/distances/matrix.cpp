@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
 
 #include "engine/checks/matrix_view.hpp"
 #include "engine/formats/remedies.hpp"
+#include "engine/jobs/distances/bounded_matrix.hpp"
+#include "engine/report/json.hpp"
+#include "engine/search/lower_bounds.hpp"
 #include "engine/search/parallel_rows.hpp"
 #include "engine/search/rows.hpp"
 #include "engine/surface/face_weight.hpp"
@@ -95,46 +99,107 @@ ReachCounts count_reaches(const DistanceJob& job, const SourceSurfaces& surfaces
   return counts;
 }
 
+/// The intervals that the searches of the rows certify, if the solver states lower bounds: a place for each row.
+class Certificates {
+ public:
+  Certificates(const PreparedSolver& solver, std::uint64_t rows) : solver_(solver) {
+    if (StatedBounds(solver.plugin)) of_row_.resize(rows);
+  }
+
+  /// Thread-safe.
+  void hear(std::uint64_t i, const SurfaceMesh& mesh, const ShortestPathMap& map) {
+    if (!of_row_.empty()) of_row_[i] = *audit_intervals(solver_, mesh, map);
+  }
+
+  std::optional<IntervalFigures> figures() const {
+    if (of_row_.empty()) return std::nullopt;
+    IntervalFigures sum;
+    for (std::uint64_t i = 0; i < of_row_.size(); ++i) sum.add(of_row_[i], i);
+    return sum;
+  }
+
+ private:
+  const PreparedSolver& solver_;
+  std::vector<IntervalFigures> of_row_;
+};
+
+/// A file of bounds must not be taken for one of distances when a run goes on.
+MatrixFile::Spec spec_of_bounds(MatrixFile::Spec spec, const std::filesystem::path& file) {
+  spec.out = file;
+  Json fingerprint = Json::parse(spec.fingerprint);
+  fingerprint["holds"] = "lower bounds";
+  spec.fingerprint = fingerprint.dump();
+  return spec;
+}
+
+std::uint64_t bytes_of(const MatrixFile::Spec& spec, const MatrixFile::Spec& bounds) {
+  return MatrixFile::bytes(spec) + (bounds.out.empty() ? 0 : MatrixFile::bytes(bounds));
+}
+
+void demand_consent(const DistanceJob& job, const MatrixFile::Spec& spec, const MatrixResult& result, unsigned threads,
+                    Observer& observer) {
+  if (result.bytes <= consent_bytes || job.yes) return;
+  tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
+  throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
+}
+
+/// What the rows of the file show.
+void check_rows(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
+                const MatrixFile& file, std::span<const NamedPoint> sources, MatrixResult& result) {
+  result.reach = count_reaches(job, surfaces, file, sources);
+  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
+}
+
 }  // namespace
 
 MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
                             std::span<const NamedPoint> sources, const std::string& fingerprint, Observer& observer) {
   const std::span<const NamedPoint> targets = surfaces.targets().named();
   const MatrixFile::Spec spec{job.matrix, sources.size(), targets.size(), job.scalar, fingerprint};
+  const MatrixFile::Spec bounds = job.bounds.empty() ? MatrixFile::Spec{} : spec_of_bounds(spec, job.bounds);
   const unsigned threads = thread_count(job.settings);
-  MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = MatrixFile::bytes(spec)};
-  RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer);
+  MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = bytes_of(spec, bounds)};
+  Certificates certificates(solver, spec.rows);
+  RowAudit audit(solver, surfaces, sources, job.max_distance, job.audit_share);
+  const auto watch = [&](std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map) {
+    audit.hear(i, on, cross_boundary(solver.plugin.info, [&] { return map.vertices(); }));
+    certificates.hear(i, *on.mesh, map);
+  };
+  RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer,
+                 {!job.bounds.empty(), watch});
 
   const Stopwatch first;
-  std::vector<double> row(spec.columns);
+  std::vector<double> row(maker.columns());
   maker.make(*make_search(solver), 0, row);
   result.first_row_seconds = first.seconds();
-  if (result.bytes > consent_bytes && !job.yes) {
-    tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
-    throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
-  }
-  MatrixFile file = MatrixFile::open(spec, job.resume);
+  demand_consent(job, spec, result, threads, observer);
+  BoundedMatrix sink(spec, bounds, job.resume);
+  const MatrixFile& file = sink.matrix();
   tell_unlocked(file, spec, observer);
+  if (sink.bounds()) tell_unlocked(*sink.bounds(), bounds, observer);
   result.resumed_rows = file.rows_done();
+  std::vector<std::vector<double>> rows;  // as they stand on disk
   try {
-    if (!file.has(0)) file.write(0, row);
-    const RowSet rows = RowSet::all(spec.rows);
-    tell_plan(spec, result.bytes, missing_rows(rows, file).size(), result.first_row_seconds, threads, observer);
-    const Stopwatch watch;
+    if (!sink.has(0)) sink.write(0, row);
+    const RowSet all = RowSet::all(spec.rows);
+    tell_plan(spec, result.bytes, missing_rows(all, sink).size(), result.first_row_seconds, threads, observer);
+    const Stopwatch stopwatch;
     StageContext context("distances", observer, threads, job.settings.seed);
-    compute_rows(rows, maker, file, threads, context);
-    result.seconds = watch.seconds() + result.first_row_seconds;
+    compute_rows(all, maker, sink, threads, context);
+    result.seconds = stopwatch.seconds() + result.first_row_seconds;
     result.counters = maker.counters();
     result.insertions = maker.insertions();
-    result.reach = count_reaches(job, surfaces, file, sources);
-    result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
-    result.given = {{}, job.max_distance, job.scalar == ScalarType::float32 ? 0x1p-24 : 0};
-    for (const std::size_t i : audited_sources(sources)) result.given.rows.push_back(file.read(i));
-    file.finish();
+    result.certified = certificates.figures();
+    check_rows(job, solver, surfaces, file, sources, result);
+    for (const std::size_t i : audit.sources()) rows.push_back(file.read(i));
+    sink.finish();
   } catch (...) {
     tell_unfinished(file, spec, observer);
     throw;
   }
+  StageContext context("audit", observer, 1, job.settings.seed);
+  const double rounding = job.scalar == ScalarType::float32 ? 0x1p-24 : 0;
+  result.audit = audit.judge(rows, rounding, job.settings.seed, context);
   return result;
 }
 

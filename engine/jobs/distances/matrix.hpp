@@ -2,10 +2,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
+#include "engine/checks/interval_audit.hpp"
 #include "engine/checks/invariants.hpp"
-#include "engine/checks/surface_audit.hpp"
+#include "engine/checks/row_audit.hpp"
 #include "engine/search/reach.hpp"
 #include "engine/search/source_surface.hpp"
 #include "geodrome/engine/jobs.hpp"
@@ -20,13 +22,15 @@ struct MatrixResult {
   std::map<std::string, std::uint64_t> insertions;  ///< how this run's sources became vertices; none for `project`
   ReachCounts reach;
   Invariants invariants;
-  GivenRows given;  ///< read from the finished file, for the audit
+  std::optional<IntervalFigures> certified;  ///< by the searches of this run, if the solver states lower bounds
+  RowsAudit audit;
 };
 
-/// Computes, checks and finishes `job.matrix`: rows over threads, each written as soon as it is there. Before the bulk
-/// of the work it times one row, tells size and estimated time, and throws RefusedError without consent above 4 GB or
-/// room on disk. Interrupted, it leaves MATRIX.partial. Memory: one row per thread.
-/// Under a rule that inserts sources, each thread prepares one surface at a time beside `solver`'s.
+/// Computes, checks and finishes `job.matrix`, and `job.bounds` if that is named: rows over threads, each written as
+/// soon as it is there. Before the bulk of the work it times one row, tells size and estimated time, and throws
+/// RefusedError without consent above 4 GB or room on disk. Interrupted, it leaves MATRIX.partial. The finished matrix
+/// is audited (`RowAudit`). Memory: one row per thread, and what three searches found at the vertices. Under a rule
+/// that inserts sources, each thread prepares one surface at a time beside `solver`'s.
 MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
                             std::span<const NamedPoint> sources, const std::string& fingerprint, Observer& observer);
 

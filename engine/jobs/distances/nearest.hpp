@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "engine/checks/nearest_audit.hpp"
+#include "engine/checks/distance_audit.hpp"
+#include "engine/checks/interval_audit.hpp"
 #include "geodrome/engine/named_points.hpp"
 #include "geodrome/shortest_path_map.hpp"
 
@@ -16,13 +18,18 @@ struct NearestResult {
   std::vector<Distance> distances;  ///< per target
   std::uint64_t reached = 0, beyond_limit = 0, unreachable = 0, dropped = 0;
   double seconds = 0;
-  NearestAudit audit;
+  std::vector<double> bounds;                ///< lower, per target; empty if they are not wanted
+  std::optional<IntervalFigures> certified;  ///< by the search, if the solver states lower bounds
+  std::vector<double> vertices;              ///< what the search found at the vertices, for the audit; none without one
+  DistanceAudit audit;
 };
 
-/// Counts what came of them.
-NearestResult nearest_result(std::vector<Distance> distances, double seconds);
+/// Searches from all sources and counts what came of it. `with_bounds`: lower bounds are wanted. Throws as
+/// `nearest_distances`.
+NearestResult find_nearest(const PreparedSolver& solver, const SurfaceMesh& mesh, std::span<const NamedPoint> sources,
+                           const TargetList& targets, double max_distance, bool with_bounds, RunContext& context);
 
-/// Lines of target, distance, source, reach.
+/// Lines of target, distance, source, reach; with bounds one more column, lower_bound.
 std::string as_csv(const NearestResult& nearest, std::span<const NamedPoint> sources,
                    std::span<const NamedPoint> targets);
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/formats/number_text.hpp"
 #include "engine/formats/text.hpp"
 #include "engine/formats/text_stream.hpp"
 #include "engine/report/memory.hpp"
@@ -25,6 +26,13 @@ Json to_json(const InvariantCheck& check) {
   return json;
 }
 
+Json to_json(const IntervalFigures& certified) {
+  return {{"vertices", certified.vertices},
+          {"largest", to_json(certified.largest)},
+          {"mean", to_json(certified.mean())},
+          {"worst", to_json(certified.worst)}};
+}
+
 Json to_json(const MatrixResult& matrix) {
   Json json{{"rows", matrix.rows},       {"columns", matrix.columns},
             {"bytes", matrix.bytes},     {"resumed_rows", matrix.resumed_rows},
@@ -35,6 +43,7 @@ Json to_json(const MatrixResult& matrix) {
   json["counters"] = Json::object();
   for (const auto& [name, value] : matrix.counters) json["counters"][name] = value;
   if (!matrix.insertions.empty()) json["insertions"] = matrix.insertions;
+  if (matrix.certified) json["certified"] = to_json(*matrix.certified);
   const Invariants& i = matrix.invariants;
   json["invariants"] = {{"sampled_rows", i.rows},
                         {"scale", to_json(i.scale)},
@@ -46,9 +55,22 @@ Json to_json(const MatrixResult& matrix) {
   return json;
 }
 
+Json because(const std::string& not_audited) { return {{"audited", false}, {"because", not_audited}}; }
+
+/// The audit of the map of a repeated search.
+Json to_json(const AuditResult& search, double scale) {
+  return {{"faces", search.faces},
+          {"pairs", search.pairs},
+          {"paths", search.paths},
+          {"scale", to_json(scale)},
+          {"worst_lipschitz", to_json(search.worst_lipschitz)},
+          {"worst_path", to_json(search.worst_path)},
+          {"where", search.where}};
+}
+
 /// The audit of the nearest sources: of the search from all of them, and of what it gave against other searches.
-Json to_json(const NearestAudit& audit) {
-  if (!audit.not_audited.empty()) return {{"audited", false}, {"because", audit.not_audited}};
+Json to_json(const DistanceAudit& audit) {
+  if (!audit.not_audited.empty()) return because(audit.not_audited);
   Json json{{"audited", true},
             {"from_sources", audit.from_sources},
             {"from_targets", audit.from_targets},
@@ -58,43 +80,41 @@ Json to_json(const NearestAudit& audit) {
             {"scale", to_json(audit.scale)},
             {"worst", to_json(audit.worst)},
             {"where", audit.where}};
-  const AuditResult& search = audit.search;
   if (audit.search_not_audited.empty())
-    json["search"] = {{"faces", search.faces},
-                      {"pairs", search.pairs},
-                      {"paths", search.paths},
-                      {"scale", to_json(search.scale)},
-                      {"worst_lipschitz", to_json(search.worst_lipschitz)},
-                      {"worst_path", to_json(search.worst_path)},
-                      {"where", search.where}};
+    json["search"] = to_json(audit.search, audit.scale);
   else
     json["search_not_audited"] = audit.search_not_audited;
   return json;
 }
 
 Json to_json(const NearestResult& nearest) {
-  return {{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
-          {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
+  Json json{{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
+            {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
+  if (nearest.certified) json["certified"] = to_json(*nearest.certified);
+  return json;
 }
 
-Json to_json(const AuditSummary& audit) {
-  if (!audit.not_audited.empty()) return {{"audited", false}, {"because", audit.not_audited}};
-  const AuditResult& worst = audit.worst;
-  return {{"audited", true},
-          {"sources", audit.sources},
-          {"faces", worst.faces},
-          {"pairs", worst.pairs},
-          {"paths", worst.paths},
-          {"scale", to_json(worst.scale)},
-          {"worst_lipschitz", to_json(worst.worst_lipschitz)},
-          {"worst_path", to_json(worst.worst_path)},
-          {"where", worst.where},
-          {"worst_row", to_json(audit.worst_given)},
-          {"where_row", audit.where_given},
-          {"seconds", audit.seconds}};
+Json to_json(const RowsAudit& audit) {
+  const DistanceAudit& found = audit.found;
+  if (!found.not_audited.empty()) return because(found.not_audited);
+  Json json = to_json(found.search, found.scale);
+  json.update(Json{{"audited", true},
+                   {"sources", audit.sources},
+                   {"searches", audit.searches},
+                   {"from_targets", found.from_targets},
+                   {"worst_row", to_json(found.worst)},
+                   {"where_row", found.where},
+                   {"seconds", audit.seconds}});
+  if (!found.search_not_audited.empty()) json["search_not_audited"] = found.search_not_audited;
+  return json;
 }
 
 bool is_weighted(const RunRecord& record) { return !record.start.input().weights.empty(); }
+
+std::string broken_interval(const IntervalFigures& certified, const std::string& whose) {
+  return "the audit failed: the interval " + whose + " certifies at vertex " + std::to_string(certified.worst_vertex) +
+         " of the surface misses by " + number_text(certified.worst) + " of the largest distance what must hold";
+}
 
 /// What the checks found that may not be, one line each.
 std::vector<std::string> broken_promises_of(const RunRecord& record) {
@@ -114,15 +134,16 @@ std::vector<std::string> broken_promises_of(const RunRecord& record) {
            std::to_string(i.euclid.violated) + " distances are shorter than " + least + "the straight line");
     demand(i.symmetry.holds(), std::to_string(i.symmetry.violated) + " pairs have two distances");
     demand(i.triangle.holds(), std::to_string(i.triangle.violated) + " triples break the triangle inequality");
+    if (const auto& certified = record.matrix->certified; certified && !certified->hold())
+      broken.push_back(broken_interval(*certified, "that row " + std::to_string(certified->worst_row)));
   }
-  const auto demand_audit = [&](double worst, const std::string& where) {
-    demand(worst <= audit_tolerance, "the audit failed: " + where);
+  const auto demand_audit = [&](const DistanceAudit& audit) {
+    for (std::string& what : broken_promises(audit)) broken.push_back(std::move(what));
   };
-  const AuditResult& audit = record.audit.worst;
-  demand_audit(std::max(audit.worst_lipschitz, audit.worst_path), audit.where);
-  demand_audit(record.audit.worst_given, record.audit.where_given);
-  if (record.nearest)
-    for (std::string& what : broken_promises(record.nearest->audit)) broken.push_back(std::move(what));
+  if (record.matrix) demand_audit(record.matrix->audit.found);
+  if (record.nearest) demand_audit(record.nearest->audit);
+  if (record.nearest && record.nearest->certified && !record.nearest->certified->hold())
+    broken.push_back(broken_interval(*record.nearest->certified, "that the search from all sources"));
   return broken;
 }
 
@@ -139,6 +160,7 @@ Json run_json(const RunRecord& record) {
   if (record.matrix)
     json["output"] = record.job.matrix.string(),
     json["dtype"] = record.job.scalar == ScalarType::float64 ? "float64" : "float32";
+  if (!record.job.bounds.empty()) json["bounds"] = record.job.bounds.string();
   return json;
 }
 
@@ -169,23 +191,21 @@ void summarize_matrix(const RunRecord& record, std::ostream& out) {
   out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(record) << ")\n";
 }
 
-void summarize_audit(const AuditSummary& audit, std::ostream& out) {
-  if (!audit.not_audited.empty()) return void(out << "audit      not audited: " << audit.not_audited << "\n");
-  out << "audit      " << audit.worst.faces << " faces, " << audit.worst.paths << " paths: worst violation "
-      << std::max({audit.worst.worst_lipschitz, audit.worst.worst_path, audit.worst_given})
-      << " of the largest distance\n";
+void summarize_certified(const std::optional<IntervalFigures>& certified, const char* of, std::ostream& out) {
+  if (!certified) return;
+  out << "certified  " << of << "off by at most " << certified->largest << " of the distance, " << certified->mean()
+      << " in the mean (" << certified->vertices << " vertices reached)\n";
 }
 
-void summarize_audit(const NearestAudit& audit, std::ostream& out) {
-  if (!audit.not_audited.empty()) return void(out << "audit      nearest: not audited: " << audit.not_audited << "\n");
-  out << "audit      nearest: ";
+void summarize_audit(const DistanceAudit& audit, bool nearest, std::ostream& out) {
+  out << "audit      " << (nearest ? "nearest: " : "");
+  if (!audit.not_audited.empty()) return void(out << "not audited: " << audit.not_audited << "\n");
   if (audit.search_not_audited.empty())
     out << audit.search.faces << " faces, " << audit.search.paths << " paths";
   else
     out << "its own search not audited (" << audit.search_not_audited << ")";
-  out << "; " << audit.from_sources << " searches from sources, " << audit.from_targets
-      << " from targets: worst violation "
-      << std::max({audit.search.worst_lipschitz, audit.search.worst_path, audit.worst}) << " of the largest distance\n";
+  if (nearest) out << "; " << audit.from_sources << " searches from sources, " << audit.from_targets << " from targets";
+  out << ": worst violation " << audit.worst_of_all() << " of the largest distance\n";
 }
 
 void summarize(const RunRecord& record, const SurfaceFacts& surface, const SampleReport* sample, std::ostream& out) {
@@ -197,8 +217,10 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Sampl
     out << "nearest    " << record.job.nearest.string() << ": " << record.nearest->reached << " reached, "
         << record.nearest->beyond_limit << " beyond the limit, " << record.nearest->unreachable << " unreachable in "
         << record.nearest->seconds << " s\n";
-  if (record.matrix) summarize_audit(record.audit, out);
-  if (record.nearest) summarize_audit(record.nearest->audit, out);
+  if (record.matrix) summarize_certified(record.matrix->certified, "", out);
+  if (record.nearest) summarize_certified(record.nearest->certified, "nearest: ", out);
+  if (record.matrix) summarize_audit(record.matrix->audit.found, false, out);
+  if (record.nearest) summarize_audit(record.nearest->audit, true, out);
   if (sample) print_short(*sample, out);
 }
 
@@ -215,7 +237,7 @@ JobReport write_report(const RunRecord& record) {
     json["surface_file"] = {{"file", record.job.surface.string()}, {"findings", to_json(record.surface_findings)}};
   if (record.matrix) json["matrix"] = to_json(*record.matrix);
   if (record.nearest) json["nearest"] = to_json(*record.nearest);
-  json["audit"] = record.matrix ? to_json(record.audit) : to_json(record.nearest->audit);
+  json["audit"] = record.matrix ? to_json(record.matrix->audit) : to_json(record.nearest->audit);
   const std::vector<std::string> broken = broken_promises_of(record);
   json["broken_promises"] = broken;
   json["timings"] = {{"read", opened.read_seconds},

@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "engine/checks/surface_audit.hpp"
 #include "engine/jobs/distances/matrix.hpp"
 #include "engine/jobs/distances/nearest.hpp"
 #include "engine/jobs/start.hpp"
@@ -21,7 +20,6 @@ struct RunRecord {
   std::vector<Finding> surface_findings;  ///< of the file of the surface
   std::optional<MatrixResult> matrix;
   std::optional<NearestResult> nearest;
-  AuditSummary audit;  ///< of the matrix
   double total_seconds = 0;
 };
 

@@ -46,7 +46,8 @@ class GEODROME_VISIBLE ShortestPathMap {
   virtual Distance at(const SurfacePoint& point) const = 0;
 
   /// Replaces `out` by a shortest path from `point` to its nearest source: surface points whose consecutive pairs lie
-  /// in a common face. Its length plus the source's start distance is the distance (exact solvers: to 1e-12 relative).
+  /// in a common face. Its length plus the source's start distance is the distance (exact solvers: to 1e-12 relative);
+  /// unless a solver states path_is_distance, both agree within its factor only, and the path may be the shorter one.
   /// Empty if the point was not reached. Needs Keep::map.
   virtual void path(const SurfacePoint& point, std::vector<SurfacePoint>& out) const = 0;
 

@@ -8,8 +8,9 @@
 
 namespace geodrome {
 
-/// A mesh made ready for searches with a propagation. Immutable.
-template <class Propagation>
+/// A mesh made ready for searches with a propagation: of a class that is made of the packed mesh and the settings.
+/// Immutable.
+template <class Propagation, class PreparedSearch = PropagationSearch<Propagation>>
 class ExactPrepared final : public PreparedSurface {
  public:
   using Settings = typename Propagation::Settings;
@@ -18,9 +19,7 @@ class ExactPrepared final : public PreparedSurface {
   ExactPrepared(MeshPtr mesh, const Settings& settings)
       : surface_(std::make_shared<const PackedMesh>(std::move(mesh))), settings_(settings) {}
 
-  std::unique_ptr<Search> make_search() const override {
-    return std::make_unique<PropagationSearch<Propagation>>(surface_, settings_);
-  }
+  std::unique_ptr<Search> make_search() const override { return std::make_unique<PreparedSearch>(surface_, settings_); }
   std::size_t bytes() const override { return surface_->bytes(); }
 
  private:
@@ -29,12 +28,12 @@ class ExactPrepared final : public PreparedSurface {
 };
 
 /// Implements ShortestPathSolver::prepare of an exact solver. Throws CapabilityError for face weights as well.
-template <class Propagation>
+template <class Propagation, class PreparedSearch = PropagationSearch<Propagation>>
 std::unique_ptr<PreparedSurface> prepare_exact(MeshPtr mesh, const typename Propagation::Settings& settings,
                                                RunContext& context) {
   context.throw_if_cancelled();
   require_unweighted(*mesh);
-  return std::make_unique<ExactPrepared<Propagation>>(std::move(mesh), settings);
+  return std::make_unique<ExactPrepared<Propagation, PreparedSearch>>(std::move(mesh), settings);
 }
 
 }  // namespace geodrome

@@ -73,4 +73,13 @@ concept AnswersAfterRun = FoundWay<typename P::Way> &&
 template <class P>
 concept MeshPropagation = StartsOnMesh<P> && RunsToLimit<P> && AnswersAfterRun<P>;
 
+/// A propagation that tells beside its distances how short the true ones can be at least.
+template <class P>
+concept KnowsLowerBounds = MeshPropagation<P> && requires(const P& propagation, Index vertex) {
+  /// lower_bound(vertex): no path below the limit is shorter. Infinite where nothing was found.
+  { propagation.lower_bound(vertex) } -> std::same_as<double>;
+  /// factor(): no distance of this run, at any point, is longer than so many times the true one.
+  { propagation.factor() } -> std::same_as<double>;
+};
+
 }  // namespace geodrome

@@ -28,6 +28,17 @@ class PropagationSearch final : public KeptSearch {
     count();
   }
 
+  /// After a run: the limit up to which it is complete, in the units of the mesh. What is nearer was reached.
+  double complete_up_to() const { return std::min(radius(), std::ldexp(limit_, -surface_->exponent())); }
+  /// After a run: the propagation's.
+  double factor() const requires KnowsLowerBounds<Propagation> { return propagation_.factor(); }
+  /// After a run: for a vertex, and for every one, by the mesh's own numbers, a length that no path to it is below;
+  /// +inf without any path. O(1) and O(V).
+  double lower_bound(Index vertex) const requires KnowsLowerBounds<Propagation> {
+    return lower_bound(vertex, std::ldexp(1.0, surface_->exponent()), complete_up_to());
+  }
+  void write_lower_bounds(std::span<double> bounds) const requires KnowsLowerBounds<Propagation>;
+
  private:
   std::span<const double> vertices() const override { return distances_; }
   std::span<const Counter> counters() const override { return counters_; }
@@ -57,6 +68,7 @@ class PropagationSearch final : public KeptSearch {
   void watch(const Request& request);
   double farthest_target(const Request& request) const;
   void write_distances();
+  double lower_bound(Index vertex, double units, double complete) const requires KnowsLowerBounds<Propagation>;
   void count();
   PlainWay plain_way(const SurfacePoint& inner) const;
   PlainWay watched_way(const SurfacePoint& point) const;
@@ -137,6 +149,22 @@ void PropagationSearch<Propagation>::write_distances() {
     written_.push_back(surface_->original_vertex(v));
     distances_[written_.back()] = value;
   }
+}
+
+/// What was found may be longer than what waits beyond the limit, and by rounding than the answer.
+template <MeshPropagation Propagation>
+double PropagationSearch<Propagation>::lower_bound(Index vertex, double units,
+                                                   double complete) const requires KnowsLowerBounds<Propagation> {
+  if (!shares_component_with_source(vertex)) return infinity;
+  const double found = propagation_.lower_bound(surface_->vertex_of_original(vertex)) / units;
+  return std::min({found, complete, distances_[vertex]});
+}
+
+template <MeshPropagation Propagation>
+void PropagationSearch<Propagation>::write_lower_bounds(std::span<double> bounds) const requires
+    KnowsLowerBounds<Propagation> {
+  const double units = std::ldexp(1.0, surface_->exponent()), complete = complete_up_to();
+  for (Index v = 0; v < bounds.size(); ++v) bounds[v] = lower_bound(v, units, complete);
 }
 
 template <MeshPropagation Propagation>

@@ -193,6 +193,23 @@ TEST(Invariants, TakeStartDistancesOff) {
   EXPECT_TRUE(cylinder.check().holds());
 }
 
+/// A start distance leaves less of the cut-off for the way; one beyond it leaves nothing.
+TEST(Invariants, HoldBeyondACutOffThatStartDistancesCount) {
+  Cylinder cylinder(40);
+  for (std::size_t row = 0; row < 40; ++row) {
+    cylinder.starts.push_back(0.06 * static_cast<double>(row));
+    for (std::size_t column = 0; column < 40; ++column) {
+      double& entry = cylinder.at(row, column);
+      entry += cylinder.starts[row];
+      if (entry > 2) entry = inf;
+    }
+  }
+  EXPECT_EQ(cylinder.at(39, 39), inf);
+  const Invariants result = cylinder.check({.radius = 2});
+  EXPECT_TRUE(result.holds()) << result.symmetry.violated << ", " << result.triangle.violated;
+  EXPECT_FALSE(cylinder.check({.radius = 2.5}).holds()) << "cut off too early";
+}
+
 TEST(Invariants, MatchPointsByInputRowWhereListsOverlapPartly) {
   const Cylinder cylinder(40, 30);  // sources 0 ... 39, targets 30 ... 69
   const Invariants result = cylinder.check();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "geodrome/engine/plugin_host.hpp"
 
+#include <elf.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,6 +28,21 @@ const fs::path bad_plugins = plugins_for_tests / "bad_plugins", sound_plugins = 
 
 fs::path plugin_file(const std::string& name) {
   return (name.starts_with("bad_") ? bad_plugins : sound_plugins) / ("solver_" + name + ".so");
+}
+
+/// The size of a library without what its loader does not read: debugging information may be more than half of it.
+std::uint64_t loaded_size(const fs::path& library) {
+  std::ifstream file(library, std::ios::binary);
+  Elf64_Ehdr header{};
+  file.read(reinterpret_cast<char*>(&header), sizeof header);
+  std::uint64_t size = 0;
+  file.seekg(static_cast<std::streamoff>(header.e_phoff));
+  for (int i = 0; i < header.e_phnum; ++i) {
+    Elf64_Phdr segment{};
+    file.read(reinterpret_cast<char*>(&segment), sizeof segment);
+    if (segment.p_type == PT_LOAD) size = std::max<std::uint64_t>(size, segment.p_offset + segment.p_filesz);
+  }
+  return size;
 }
 
 /// What the host says of a file; empty if it accepts it.
@@ -115,7 +131,7 @@ TEST(PluginHost, RefusesAnEmptyFile) {
 
 TEST(PluginHost, RefusesATruncatedLibraryAtAnyLength) {
   const TemporaryFolder folder;
-  const auto whole = fs::file_size(plugin_file("test_straight"));
+  const std::uint64_t whole = loaded_size(plugin_file("test_straight"));
   for (const auto size : {whole / 64, whole / 4, whole / 2}) {
     const fs::path file = folder / ("solver_cut_" + std::to_string(size) + ".so");
     fs::copy_file(plugin_file("test_straight"), file);

@@ -27,6 +27,7 @@ void add_fuzz(CLI::App& app, Action& action);
 void add_factor(CLI::App& app, Action& action);
 void add_section4(CLI::App& app, Action& action);
 void add_queries(CLI::App& app, Action& action);
+void add_audit(CLI::App& app, Action& action);
 
 /// A subcommand, and what its options write into.
 template <class Arguments>

@@ -90,6 +90,11 @@ void add_fuzz(CLI::App& app, Action& action) {
       ->capture_default_str();
   add_solver(command, arguments.rivals);
   add_peer(command, arguments.rivals, "NAME[:key=value,...], or none");
+  command
+      .add_option("--share", arguments.options.share,
+                  "of the faces that are audited and of the paths that are measured")
+      ->check(CLI::Range(1e-3, 1.0))
+      ->capture_default_str();
   command.add_option("--seconds", arguments.options.seconds, "a search that takes longer is given up")
       ->capture_default_str();
   command.add_flag("--verbose", arguments.verbose, "tell every mesh before it is judged, to find one that crashes");

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/checks/seeded_subset.hpp"
 #include "tools/bench/solvers/surface_points.hpp"
 #include "tools/bench/solvers/witness.hpp"
 #include "tools/shapes/random.hpp"
@@ -89,9 +90,9 @@ class Judge {
     const std::vector<double> ours = solver_->at(places.ours);
     const double scale = largest_finite(ours);
     check_unused_vertices();
-    for (std::size_t i = 0; i < ours.size(); ++i)
+    for (const std::size_t i : seeded_share(ours.size(), options_.share, options_.seed))
       if (std::isfinite(ours[i])) raise(result_.paths, apart(solver_->path_length(places.ours[i]), ours[i]) / scale);
-    const AuditResult audit = solver_->audited();
+    const AuditResult audit = solver_->audited(options_.share, options_.seed);
     if (std::max(audit.worst_lipschitz, audit.worst_path) > std::max(result_.lipschitz, result_.audit_paths))
       result_.where = audit.where;
     raise(result_.lipschitz, audit.worst_lipschitz);

@@ -24,6 +24,7 @@ struct ExactnessOptions {
   std::size_t points = 300;  ///< inside faces
   std::uint64_t seed = 1;    ///< chooses both
   double seconds = 600;      ///< a search that takes longer is given up
+  double share = 1;          ///< of the faces that are audited and of the places whose paths are measured; above 0
 };
 
 /// The worst of all sources. Figures are relative to the largest distance from the source, but for `relative`. Where
@@ -36,7 +37,7 @@ struct Exactness {
   double paths = 0;                       ///< largest |length of the path - D|, at vertices and points
   double together = 0;  ///< all sources at once, with start distances, against the least of the single runs
   double scaled = 0;    ///< runs that keep only targets, on the mesh times 1, 1e-6 and 1e6, against D
-  double lipschitz = 0, audit_paths = 0;  ///< what the engine's audit of all faces found
+  double lipschitz = 0, audit_paths = 0;  ///< what the engine's audit of the faces found
 
   std::size_t peer_wrong = 0, solver_wrong = 0;  ///< places
   double peer_error = 0;                         ///< the largest error of the peer that was proven

@@ -51,9 +51,10 @@ double Witness::path_length(const SurfacePoint& from) const {
   return length;
 }
 
-AuditResult Witness::audited() const {
+AuditResult Witness::audited(double share, std::uint64_t seed) const {
   return plugin_.call([&](const ShortestPathSolver&) {
-    return audit(*mesh_, sources_, *map_, plugin_.info.provides, {.factor = plugin_.factor, .share = 1});
+    return audit(*mesh_, sources_, *map_, plugin_.info.provides,
+                 {.factor = plugin_.factor, .share = share, .seed = seed});
   });
 }
 

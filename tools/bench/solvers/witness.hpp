@@ -47,8 +47,8 @@ class Witness {
   /// miss the two by is added. +inf if there is no path or if it leaves the surface. Needs Keep::map.
   double path_length(const SurfacePoint& from) const;
 
-  /// The engine's audit of all faces.
-  AuditResult audited() const;
+  /// The engine's audit of a share of the faces.
+  AuditResult audited(double share, std::uint64_t seed) const;
 
   const SurfaceMesh& mesh() const { return *mesh_; }
   bool provides(Provides bits) const { return has(plugin_.info.provides, bits); }

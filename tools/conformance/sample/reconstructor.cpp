@@ -77,7 +77,8 @@ void planar_grid(ReconstructorTrial& t) {
 
 void notch(ReconstructorTrial& t) {
   PointSample sample;
-  for (const Vec3& p : plane_grid(Index{16})->positions())
+  const auto grid = plane_grid(Index{16});
+  for (const Vec3& p : grid->positions())
     if (p.x <= 4 || p.y <= 4) sample.points.push_back(p);
   const Reconstruction made = sound(t, t.staged(sample), "notch");
   const SurfaceMesh& mesh = *made.mesh;

@@ -55,7 +55,7 @@ void plane_any_point(SolverTrial& t) {
       const double truth = geodrome::distance(mesh->position(from), mesh->position(to)), value = map.at(to).value;
       if (t.has(Provides::never_shorter))
         t.at_least(value, truth - rounding * 7, "shorter than straight, at face ", to.face);
-      if (t.has(Provides::factor_any_point))
+      if (t.has_factor() && t.has(Provides::factor_any_point))
         t.at_most(value, t.plugin.factor * truth + rounding * 7, "at face ", to.face, " from face ", from.face);
       else
         t.holds(std::isfinite(value), "finite", "at face ", to.face);

@@ -89,9 +89,9 @@ void start_distance(SolverTrial& t) {
   Running running(t.plugin, mesh);
   const auto plain = copy(running.run({{mesh->at_vertex(20)}}).vertices());
   const auto late = copy(running.run({{mesh->at_vertex(20), 2.5}}).vertices());
-  for (std::size_t v = 0; v < plain.size(); ++v) t.near(late[v], plain[v] + 2.5, rounding * scale, "vertex ", v);
+  for (std::size_t v = 0; v < plain.size(); ++v) t.same_distance(late[v], plain[v] + 2.5, scale, "vertex ", v);
   const ShortestPathMap& map = running.run({{mesh->at_vertex(20)}, {mesh->at_vertex(21), 100}});
-  t.near(map.vertices()[21], plain[21], rounding * scale, "a late source, reached from an earlier one");
+  t.same_distance(map.vertices()[21], plain[21], scale, "a late source, reached from an earlier one");
   t.equal(map.at(mesh->at_vertex(21)).source, 0u, "its source");
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "geodrome/lower_bounds.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 #include "tools/conformance/demand_table.hpp"
 #include "tools/shapes/small_meshes.hpp"
@@ -79,6 +80,9 @@ struct SolverTrial : StageTrial<ShortestPathSolver> {
   /// For sums and comparisons of several distances, each of which may be too long by the factor.
   double factor_or_one() const { return has_factor() ? plugin.factor : 1; }
 
+  /// Whether distances may change within a guarantee where only rounding, numbering or start distances do.
+  bool approximates() const { return !exact() && (has_factor() || plugin.extension<LowerBounds>() != nullptr); }
+
   void needs(Provides bits) const {
     std::string missing;
     for (const std::string& word : words_of(bits & ~plugin.info.provides))
@@ -107,6 +111,15 @@ struct SolverTrial : StageTrial<ShortestPathSolver> {
             "finite and not negative where reachable, infinite elsewhere", where...);
     if (has_factor())
       at_most(value, plugin.factor * truth + rounding * scale, "longer than the factor allows: ", where...);
+  }
+
+  /// Two answers for one distance, which an approximation may give anew each time, within its factor.
+  template <class... Where>
+  void same_distance(double found, double expected, double scale, const Where&... where) {
+    if (!approximates()) return near(found, expected, rounding * scale, where...);
+    if (!has_factor()) return;
+    at_most(found, plugin.factor * expected + rounding * scale, where...);
+    at_least(plugin.factor * found, expected - rounding * scale, where...);
   }
 
   /// The exact solvers at hand, other than the one under judgement, best first.

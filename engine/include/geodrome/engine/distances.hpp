@@ -24,16 +24,24 @@ struct DistanceOptions {
   ProjectionRule rule = ProjectionRule::project;
 };
 
+/// Distances and their lower bounds, each a row per source. No true distance on the surface is below its bound, which
+/// is finite where the distance is +inf because of a limit only.
+struct BoundedDistances {
+  std::vector<double> distances, bounds;
+};
+
 /// A polyline of surface points from `from` to `to`; empty if unreachable, then `distance` is +inf, and if both are the
 /// same vertex on no face, then it is 0. Faces are those of the surface; under `insert` of the one with `from` as a
 /// vertex, on which faces that stayed should have kept their index.
 struct PathResult {
-  double distance = 0;  ///< max(surface distance, |st|) for a cloud
-  double length = 0;    ///< of the polyline, weighted by the faces that it crosses if they have weights
+  /// max(surface distance, |st|) for a cloud. The surface distance is the solver's, or the length of the path where
+  /// that is shorter: with an approximate solver no true distance is longer than a path, so that it is nearer.
+  double distance = 0;
+  double length = 0;  ///< of the polyline, weighted by the faces that it crosses if they have weights
   std::vector<SurfacePoint> points;
   std::vector<Vec3> positions;
   double from_off_surface = 0, to_off_surface = 0;  ///< as `NamedPoint::off_surface` of the ends
-  std::vector<std::string> broken_promises;  ///< what `run_path` found in its audit; of a session empty
+  std::vector<std::string> broken_promises;         ///< what `run_path` found in its audit; of a session empty
 };
 
 }  // namespace geodrome

@@ -25,7 +25,9 @@ struct DistanceJob {
   double max_distance = infinity;  ///< farther is +inf
   ScalarType scalar = ScalarType::float64;
   std::filesystem::path matrix;   ///< .npy or .csv
+  std::filesystem::path bounds;   ///< lower bounds of the entries of `matrix`, in its layout
   std::filesystem::path nearest;  ///< .csv: one search from all sources at once
+  bool nearest_bounds = false;    ///< a column with lower bounds in `nearest`
   std::filesystem::path surface;  ///< the mesh that was used
   std::filesystem::path report;   ///< .json
   bool resume = false;            ///< go on with MATRIX.partial
@@ -44,6 +46,10 @@ struct JobReport {
 /// Does the whole job: reads, runs the stages, computes, checks, writes. Files appear whole or not at all, but for
 /// MATRIX.partial, which an interrupted job leaves for `resume`. Throws any geodrome::Error. Memory: the surface, the
 /// prepared solver, and O(targets) per thread. InputError for a source off the part, unless `sources` is "all".
+///
+/// No true distance on the surface is below its lower bound: what the solver states by the extension LowerBounds, else
+/// D / factor, so D itself for an exact solver; up to rounding. CapabilityError for lower bounds by a solver that has
+/// neither. Of what is unreachable the bound is +inf, of what lies beyond `max_distance` a finite number.
 JobReport run_distances(const DistanceJob& job, Observer& observer);
 
 /// Distances of many pairs of points, by the oracle of a solver that provides pair_queries. Points of a cloud lie at

@@ -15,7 +15,8 @@
 
 namespace geodrome {
 
-/// Which plugin does each stage, as PluginHost::load takes it: "name[:key=value,...]".
+/// Which plugin does each stage, as PluginHost::load takes it: "name[:key=value,...]". `solver_of_accuracy` names the
+/// solver for an accuracy.
 struct StageChoice {
   std::string tangent = "jet", control = "lipschitz", decimator = "greedy", reconstructor = "delaunay_cut",
               solver = "chen_han";

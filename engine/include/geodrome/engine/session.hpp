@@ -89,6 +89,12 @@ class Session {
   void distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets, RowSink& sink,
                  const DistanceOptions& options = {}, std::optional<RowSet> rows = std::nullopt) const;
 
+  /// Distances as above, with what the solver knows of the true ones from below: what it states by the extension
+  /// LowerBounds, else D / factor. Throws also CapabilityError for a solver that has neither, OptionError for
+  /// `printed`.
+  BoundedDistances bounded_distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
+                                     const DistanceOptions& options = {}) const;
+
   /// For every target the distance from the nearest source, and the place of that in `sources`: one search on one
   /// thread. Throws OptionError for a start distance or a limit that is no number >= 0, CapabilityError for what the
   /// solver does not provide.
@@ -101,9 +107,10 @@ class Session {
 
   /// Audits what the three members around here gave, by searches of other kinds, one line for each promise of the
   /// solver that is broken; none for one that holds or cannot be judged. A few searches on one thread. `nearest`: the
-  /// search is repeated and audited on a `share` of the faces, in (0, 1], and held against searches from single sources
-  /// and from targets. A path: it runs on the surface, is as long as its distance, and a search from its other end
-  /// agrees. Pairs: searches for three of them, from both ends. Throw as those members.
+  /// search is repeated, around the sources with a map that is audited on a `share` of the faces, in (0, 1] (from a
+  /// quarter on the map is of all faces), and held against searches from single sources and from targets. A path: it
+  /// runs on the surface, is as long as its distance, and a search from its other end agrees. Pairs: searches for three
+  /// of them, from both ends. Throw as those members.
   std::vector<std::string> audit_nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                          std::span<const Distance> nearest, double max_distance = infinity,
                                          double share = 0.01) const;

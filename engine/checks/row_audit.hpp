@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "engine/checks/distance_audit.hpp"
+#include "engine/search/source_surface.hpp"
+
+namespace geodrome {
+
+/// The audit of the rows of a matrix.
+struct RowsAudit {
+  DistanceAudit found;               ///< `worst`: by the rows that were given, and by any search of the job
+  std::vector<std::string> sources;  ///< labels of the sources whose rows were audited
+  std::uint64_t searches = 0;        ///< of the job, whose distances at all vertices fit their neighbours
+  double seconds = 0;                ///< beside the job's searches
+};
+
+/// Audits a matrix while and after it is made: every search at all vertices as soon as it is done, and up to three rows
+/// as they were given (`audit_distances`): the first, the middle, the last of those whose source lies on the surface,
+/// each on its source's own surface.
+class RowAudit {
+ public:
+  /// All must outlive it. `share`: 0 for no audit.
+  RowAudit(const PreparedSolver& solver, const SourceSurfaces& surfaces, std::span<const NamedPoint> sources,
+           double max_distance, double share);
+
+  /// The places of the sources whose rows `judge` wants.
+  std::span<const std::size_t> sources() const noexcept { return chosen_; }
+
+  /// What the search from a source found at the vertices, without the start distance. Thread-safe. O(F).
+  void hear(std::uint64_t source, const SourceSurface& on, std::span<const double> vertices);
+
+  /// `rows`: as they were given, of `sources()`; `rounding`: how far storing an entry may change it, relative to it.
+  /// Searches that were not heard are repeated. Throws what the solver throws.
+  RowsAudit judge(std::span<const std::vector<double>> rows, double rounding, std::uint64_t seed, RunContext& context);
+
+ private:
+  void judge_row(std::size_t source, std::span<const double> row, double rounding, std::uint64_t seed,
+                 RunContext& context);
+
+  const PreparedSolver& solver_;
+  const SourceSurfaces& surfaces_;
+  std::span<const NamedPoint> sources_;
+  double max_distance_, share_;
+  std::vector<std::size_t> chosen_;
+  std::mutex mutex_;
+  std::map<std::size_t, std::vector<double>> heard_;  // of the chosen sources
+  RowsAudit result_;
+};
+
+}  // namespace geodrome
