@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plugins/common/exact/found_distance.hpp"
+#include "plugins/common/mesh/for_listed_or_all.hpp"
 
 namespace geodrome::merged_windows {
 
@@ -24,7 +25,7 @@ class UpperBounds {
 
   /// Forgets what was found for these vertices.
   void reset(const std::vector<Index>& vertices, bool with_steps) {
-    for (const Index v : vertices) found_[v] = {};
+    for_listed_or_all(vertices, found_.size(), [this](Index v) { found_[v] = {}; });
     if (with_steps) steps_.resize(found_.size());
     with_steps_ = with_steps;
   }
