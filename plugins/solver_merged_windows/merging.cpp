@@ -72,7 +72,7 @@ bool Merging::merged(std::span<const Window> windows, const Ends* ends, const Ed
     kinks += std::abs(ends[i - 1].slope_high - ends[i].slope_low) * (place - low) * (high - place);
   }
   const double most = delta_ * 0.5 * (first.l_low + last.l_high - width);
-  if (!(slack + 0.4 * kinks / width <= slack + share_of_slack * (most - slack))) return false;
+  if (!(slack + kinks / width <= slack + share_of_slack * (most - slack))) return false;
 
   double r = farthest_image * (edge.length + first.l_low);
   const double below_first = rise - first.slope_low * width, above_last = last.slope_high * width - rise;
