@@ -50,6 +50,8 @@ std::size_t Merging::group_from(std::span<const Window> windows, std::size_t fir
     ++counts_.tried;
     if (!merged(windows.subspan(first, count), &ends_[first], edge, window)) continue;
     ++counts_.done;
+    for (const Window& old : windows.subspan(first, count))
+      if (old.depth > window.depth) window.depth = old.depth;
     break;
   }
   return first + count;
