@@ -4,16 +4,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "plugins/common/exact/least_distance.hpp"
 #include "plugins/common/exact/tolerances.hpp"
 #include "plugins/common/mesh/prefetch.hpp"
 
 namespace geodrome::chen_han {
 namespace {
 
-/// No point of ordered windows is nearer than this: the distance to them changes by at most the way along them.
-double least_distance(const WindowArrays& w, std::size_t count) {
+/// About the least distance of ordered windows, by which they queue: exact where the distance changes by at most the
+/// way along them.
+double nearness(const WindowArrays& w, std::size_t count) {
   const double width = w.high[count - 1] - w.low[0];
   return std::max(0.0, 0.5 * (w.at(0, w.low[0]) + w.at(count - 1, w.high[count - 1]) - width));
+}
+
+/// Whether all points that windows reach are beyond a limit. Most are told by `near`, without a look at each of them.
+bool all_beyond(double limit, double near, const WindowArrays& w, std::size_t count) {
+  const auto beyond = [limit](double distance) { return distance * (1 - rounding_share) > limit; };
+  if (!beyond(near)) return false;
+  for (std::size_t i = 0; i < count; ++i)
+    if (!beyond(least_distance(w.get(i), w.low[i], w.high[i]))) return false;
+  return true;
 }
 
 }  // namespace
@@ -46,7 +57,7 @@ std::size_t Wavefront::push_block(Index block, Index edge, double limit) {
   const std::size_t count = store_[block].count;
   std::size_t pushed = 0;
   if (count > 0) {
-    const double near = least_distance(store_[block].windows(), count), length = surface_.length(edge);
+    const double near = nearness(store_[block].windows(), count), length = surface_.length(edge);
     bool is_mirrored = false;
     if (surface_.is_fan(edge))
       store_[block].entry = Entry::loose;  // windows of other faces come to the same half-edges
@@ -59,7 +70,7 @@ std::size_t Wavefront::push_block(Index block, Index edge, double limit) {
       waiting_[half_edge] = own;
       queue_.push(half_edge, near + patience * length);
     };
-    if (near * (1 - rounding_share) <= limit) surface_.for_each_across(edge, wait_at);
+    if (!all_beyond(limit, near, store_[block].windows(), count)) surface_.for_each_across(edge, wait_at);
   }
   if (pushed == 0) store_.release(block);
   return pushed;

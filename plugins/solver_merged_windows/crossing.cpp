@@ -29,7 +29,7 @@ void Propagation::pass_alone(Index half_edge, const Window& window) {
     return;
   }
   ++counts_.passes, ++counts_.propagated;
-  if (window.depth < 2 * deepest_merge_) cross_alone(apex, window, window.depth);
+  cross_alone(apex, window);
 }
 
 /// Whether the filter drops all of a window. (Squares are compared in place of roots.)
@@ -43,25 +43,25 @@ bool Propagation::is_needless(const Window& w, const Apex& apex) const {
   return longer(w.high, over_start) || longer(w.low, over_end);
 }
 
-void Propagation::cross_alone(const Apex& apex, const Window& window, std::uint32_t depth) {
+void Propagation::cross_alone(const Apex& apex, const Window& window) {
   const bool left = has_left(apex, window), right = has_right(apex, window);
   if (left && right)
     lower_apex_straight(apex, window);
   else
     lower_apex_bent(apex, window, left ? window.high : window.low);
   lower_along_edges(apex);
-  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, window, right, depth), apex, apex.c);
-  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, window, left, depth), apex, apex.b);
+  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, window, right), apex, apex.c);
+  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, window, left), apex, apex.b);
 }
 
-void Propagation::cross(const Apex& apex, std::uint32_t depth) {
+void Propagation::cross(const Apex& apex) {
   const Split split = split_at(apex);
-  if (!split.in_order) return carry_one_by_one(apex, depth);
+  if (!split.in_order) return carry_one_by_one(apex);
   lower_apex(apex, split);
   const std::span<const Window> list(list_);
-  carry_left(apex, list.first(split.covered() ? split.last_best : split.left_end), split.right_begin, depth);
+  carry_left(apex, list.first(split.covered() ? split.last_best : split.left_end), split.right_begin);
   const std::size_t first_right = split.covered() ? split.first_best : split.right_begin;
-  carry_right(apex, list.subspan(first_right), split.left_end - std::min(split.left_end, first_right), depth);
+  carry_right(apex, list.subspan(first_right), split.left_end - std::min(split.left_end, first_right));
 }
 
 /// Parts the list by the lines to the apex. Windows whose lines cross beyond the half-edge may not lie to the left and
@@ -114,10 +114,10 @@ void Propagation::lower_apex_by(const Apex& apex, const Window& window, double x
   if (upper < upper_[apex.vertex()].distance)
     upper_.offer(apex.vertex(), {upper, source_of(window.origin)}, {.window = window.parent});
   const PseudoSource image{window.x, window.y, window.sigma, window.origin};
-  lower_apex_from(apex, image, x, value, [] { return Step{}; });
+  lower_apex_from(apex, image, x, value, [] { return LabelStep{}; });
 }
 
-void Propagation::carry_one_by_one(const Apex& apex, std::uint32_t depth) {
+void Propagation::carry_one_by_one(const Apex& apex) {
   const auto both = [&](const Window& w) { return has_left(apex, w) && has_right(apex, w); };
   double lowest = infinity;
   std::size_t best = list_.size();
@@ -140,52 +140,55 @@ void Propagation::carry_one_by_one(const Apex& apex, std::uint32_t depth) {
   const auto left = choose([&](std::size_t i) {
     return has_left(apex, list_[i]) && (!both(list_[i]) || i <= best || keeps_both(list_[i]));
   });
-  carry_left(apex, left, left.size(), depth);
+  carry_left(apex, left, left.size());
   const auto right = choose([&](std::size_t i) {
     return has_right(apex, list_[i]) && (!both(list_[i]) || i >= best || keeps_both(list_[i]));
   });
-  carry_right(apex, right, 0, depth);
+  carry_right(apex, right, 0);
+}
+
+/// Lets a window have crossed one face more, which it entered so. What is too deep becomes empty: its lines went
+/// straight over more faces than there are, so they met one twice, and no such line is a shortest path.
+void Propagation::enter(Window& window, Entry entry) const {
+  window.enter(entry, window.depth + 1);
+  if (window.depth > 2 * deepest_merge_) window.high = window.low;
 }
 
 /// The lines of a window to the left of the apex; with `clipped` it also has lines to the apex, or beyond it.
-Window Propagation::carried_left(const Apex& apex, const Window& window, bool clipped, std::uint32_t depth) const {
+Window Propagation::carried_left(const Apex& apex, const Window& window, bool clipped) const {
   const Turn turn = turn_left(apex);
   const TurnedImage<double> image(turn, window.x, window.y);
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = image.low(window.low), child.high = clipped ? turn.limit : image.high(window.high);
-  child.enter(Entry::left, depth + 1);
+  enter(child, Entry::left);
   return child;
 }
 
 /// The lines to the right of the apex.
-Window Propagation::carried_right(const Apex& apex, const Window& window, bool clipped, std::uint32_t depth) const {
+Window Propagation::carried_right(const Apex& apex, const Window& window, bool clipped) const {
   const Turn turn = turn_right(apex);
   const TurnedImage<double> image(turn, window.x, window.y);
   Window child = window;
   child.x = image.x(), child.y = image.y();
   child.low = clipped ? 0 : image.low(window.low), child.high = image.high(window.high);
-  child.enter(Entry::right, depth + 1);
+  enter(child, Entry::right);
   return child;
 }
 
 /// Windows from `clipped` on also have lines to the apex, or beyond it.
-void Propagation::carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped,
-                             std::uint32_t depth) {
+void Propagation::carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
   if (windows.empty() || apex.left_is_boundary()) return;
   child_.clear();
-  for (std::size_t i = 0; i < windows.size(); ++i)
-    child_.push_back(carried_left(apex, windows[i], i >= clipped, depth));
+  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_left(apex, windows[i], i >= clipped));
   send(apex.left());
 }
 
 /// Windows before `clipped` also have lines to the apex, or beyond it.
-void Propagation::carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped,
-                              std::uint32_t depth) {
+void Propagation::carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
   if (windows.empty() || apex.right_is_boundary()) return;
   child_.clear();
-  for (std::size_t i = 0; i < windows.size(); ++i)
-    child_.push_back(carried_right(apex, windows[i], i < clipped, depth));
+  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_right(apex, windows[i], i < clipped));
   send(apex.right());
 }
 
@@ -232,7 +235,7 @@ void Propagation::hand_on(std::span<const Window> run, Index edge) {
   surface_.for_each_across(edge, [&](Index half_edge, bool is_mirrored) {
     WindowList present = std::exchange(list_, {is_mirrored ? mirrored(window, surface_.length(edge)) : window});
     ++counts_.created;
-    pass(half_edge, window.depth);
+    pass(half_edge);
     list_ = std::move(present);  // where it was in memory: a pass may be going on there
   });
 }

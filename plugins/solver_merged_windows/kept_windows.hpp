@@ -12,13 +12,21 @@
 
 namespace geodrome::merged_windows {
 
+/// What a window came from, as its `parent`: a kept window, or with this bit the way to a vertex (upper_bounds.hpp).
+/// no_index, which has the bit, is a source that is no vertex.
+inline constexpr Index way_bit = Index{1} << 31;
+
 /// A window that was carried on, or one that was merged into such a window.
 struct KeptWindow {
   double x, y, sigma, low, high, slack;
   Index origin;
-  /// The kept window it came from, no_index if it came from its pseudo-source. Of a merged window: the first of those
-  /// that it was made of, which are at the same half-edge and follow each other.
+  /// What it came from. Of a merged window: the first of those that it was made of, which are at the same half-edge and
+  /// follow each other.
   Index parent;
+
+  bool came_from_window() const { return (parent & way_bit) == 0; }
+  /// The way on which it came, no_index if straight from a source. Precondition: it came from no window.
+  Index way() const { return parent == no_index ? no_index : parent & ~way_bit; }
 
   double to(double px, double py) const { return sigma + std::sqrt((px - x) * (px - x) + (py - y) * (py - y)); }
 };

@@ -9,7 +9,7 @@ namespace geodrome {
 
 /// Distances at most 1 + delta times too long, and never too short, by windows that are merged with their neighbours
 /// where that costs little: after the approximate algorithm of Surazhsky, Surazhsky, Kirsanov, Gortler and Hoppe (TOG
-/// 24, 2005), with a proof of the factor. README.md has it.
+/// 24, 2005), with a proof of the factor in PROOF.md.
 ///
 /// Any mesh: open, non-manifold, unoriented, with faces without area. A run costs what it reaches: O(w log w) for w
 /// windows, w ~ F on smooth fine surfaces.

@@ -50,6 +50,8 @@ std::size_t Merging::group_from(std::span<const Window> windows, std::size_t fir
     ++counts_.tried;
     if (!merged(windows.subspan(first, count), &ends_[first], edge, window)) continue;
     ++counts_.done;
+    for (const Window& old : windows.subspan(first, count))
+      if (old.depth > window.depth) window.depth = old.depth;
     break;
   }
   return first + count;
@@ -72,7 +74,7 @@ bool Merging::merged(std::span<const Window> windows, const Ends* ends, const Ed
     kinks += std::abs(ends[i - 1].slope_high - ends[i].slope_low) * (place - low) * (high - place);
   }
   const double most = delta_ * 0.5 * (first.l_low + last.l_high - width);
-  if (!(slack + 0.4 * kinks / width <= slack + share_of_slack * (most - slack))) return false;
+  if (!(slack + kinks / width <= slack + share_of_slack * (most - slack))) return false;
 
   double r = farthest_image * (edge.length + first.l_low);
   const double below_first = rise - first.slope_low * width, above_last = last.slope_high * width - rise;

@@ -11,8 +11,8 @@
 namespace geodrome::merged_windows {
 
 /// Makes neighbouring windows of a half-edge into one, so that L is nowhere higher than before and U nowhere lower, and
-/// the slack stays within `delta` times L. README.md proves that then every vertex v has a value l(v), the least L,
-/// with l(v) <= d(v) <= D(v) <= (1 + delta) l(v). One per thread.
+/// the slack stays within `delta` times L. PROOF.md shows that then every vertex v has a value l(v), the least L, with
+/// l(v) <= d(v) <= D(v) <= (1 + delta) l(v). One per thread.
 class Merging {
  public:
   struct Counts {

@@ -11,7 +11,8 @@
 namespace geodrome::merged_windows {
 
 /// Follows kept windows back to the source, face by face. Where a window was merged, the path goes on at the place
-/// where it crosses the half-edge, along the line of the old window that has that place; so it is never longer than U.
+/// where it crosses the half-edge, along the line of the old window that has that place; at a vertex, by the way that D
+/// had there when the window or the edge set out. So it is never longer than U, and leads to the source that U names.
 /// Points are appended with the mesh's own face numbers.
 class PathTracer {
  public:
@@ -25,6 +26,7 @@ class PathTracer {
   void from_point(Index window, double x, double y);
 
  private:
+  void along(Index way);
   Index through(Index window, double x, double y);
   Index unmerged(Index window, Index half_edge, double place) const;
 

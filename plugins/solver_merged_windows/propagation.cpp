@@ -30,7 +30,7 @@ Propagation::Propagation(const PackedMesh& surface, const Settings& settings)
       merging_(settings.delta),
       upper_(surface.vertex_count()),
       fans_(surface),
-      deepest_merge_(std::min<std::size_t>(surface.face_count(), Window::deepest / 2)) {}
+      deepest_merge_(static_cast<std::uint32_t>(std::min<std::size_t>(surface.face_count(), Window::deepest / 2))) {}
 
 void Propagation::begin(bool keep, double limit) {
   wavefront_.clear();  // what a run that was stopped left behind
@@ -40,7 +40,6 @@ void Propagation::begin(bool keep, double limit) {
   kept_.reset();
   if (keep) kept_.prepare(3 * surface_.face_count());
   trimming_.reset(), merging_.reset(), fans_.reset();
-  one_source_ = true;
   counts_ = {};
 }
 
@@ -66,14 +65,9 @@ void Propagation::polled() const {
     throw MergingFails{};
 }
 
-void Propagation::seed(const Source& source, Index number) {
-  one_source_ = number == 0;
-  VertexPropagation::seed(source, number);
-}
-
 void Propagation::lowered_along_edge(Index vertex, Index from, double length) {
   const FoundDistance& found = upper_[from];
-  upper_.offer(vertex, {found.distance + length, found.source}, {.vertex = from});
+  upper_.offer(vertex, {found.distance + length, found.source}, {.before = upper_.way_to(from)});
 }
 
 void Propagation::lowered_straight(Index vertex, double distance, Index source) {
@@ -81,14 +75,16 @@ void Propagation::lowered_straight(Index vertex, double distance, Index source) 
 }
 
 void Propagation::lowered_at_source(Index vertex, double distance, Index source) {
-  upper_.offer(vertex, {distance, source}, {.vertex = vertex});
+  upper_.offer(vertex, {distance, source}, {.at_source = true});
 }
 
 void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double, Entry entry) {
   Window window{apex.length - from.x, -from.y, from.sigma, 0, apex.length};
-  const bool from_vertex = from.origin < surface_.vertex_count();
+  const auto vertices = static_cast<Index>(surface_.vertex_count());
+  const bool from_vertex = from.origin < vertices;
   window.slack = from_vertex ? upper_[from.origin].distance - from.sigma : 0;
-  window.origin = from.origin, window.parent = no_index;
+  window.origin = from_vertex ? vertices + upper_[from.origin].source : from.origin;
+  window.parent = from_vertex ? way_bit | upper_.way_to(from.origin) : no_index;
   window.depth = 1, window.from_face_below = entry == Entry::loose;
   window.set_entry(entry);
   hand_on({&window, 1}, apex.half_edge);
@@ -104,20 +100,18 @@ void Propagation::process(Index half_edge, Index window) {
     return pass_alone(half_edge, present);
   }
   list_.clear();
-  const std::uint32_t depth = gather(window);
+  gather(window);
   if (surface_.branches(half_edge)) keep_nearest(half_edge);
-  if (!list_.empty()) pass(half_edge, depth);
+  if (!list_.empty()) pass(half_edge);
 }
 
-/// Several windows: one run of each entry in their order, the others merged into them. Returns the least depth.
-std::uint32_t Propagation::gather(Index window) {
+/// Several windows: one run of each entry in their order, the others merged into them.
+void Propagation::gather(Index window) {
   WindowPool& pool = wavefront_.pool();
   gathered_.clear(), ends_.clear();
-  std::uint32_t depth = Window::deepest;
   std::size_t middle = 0;
   while (window != no_index) {
     const Window& next = list_.emplace_back(pool[window]);
-    depth = std::min<std::uint32_t>(depth, next.depth);
     pool.release(std::exchange(window, next.next));
     if (!next.ends_run) continue;
     if (next.entry() == Entry::loose || (middle > 0 && !trimming_.join(list_, middle))) {
@@ -130,7 +124,6 @@ std::uint32_t Propagation::gather(Index window) {
   }
   for (std::size_t i = 0, first = 0; i < ends_.size(); first = ends_[i++])
     trimming_.merge(list_, std::span(gathered_).subspan(first, ends_[i] - first));
-  return depth;
 }
 
 /// Drops the parts of the list that something lower has come to since, at an edge of more than two faces.
@@ -155,14 +148,14 @@ void Propagation::list_parts(std::span<const Window> windows) {
   }
 }
 
-/// Carries the list, which has crossed `depth` faces at least, across the face of a half-edge.
-void Propagation::pass(Index half_edge, std::uint32_t depth) {
+/// Carries the list across the face of a half-edge.
+void Propagation::pass(Index half_edge) {
   const bool is_copy = surface_.is_copy(half_edge / 3);
   if (is_copy && !keep_ && watched_.empty()) return;
   const Apex apex(surface_, half_edge);
   filter(apex);
   if (list_.empty()) return;
-  if (list_.size() > 1 && depth <= deepest_merge_ && !surface_.is_fan(half_edge))
+  if (list_.size() > 1 && !surface_.is_fan(half_edge))
     merge(apex);
   else if (keep_)
     kept_.begin_pass(half_edge), keep_carried();
@@ -172,11 +165,10 @@ void Propagation::pass(Index half_edge, std::uint32_t depth) {
   if (!watched_.empty()) lower_watched(half_edge);
 
   if (is_copy) return;
-  if (depth >= 2 * deepest_merge_) return;  // a line that goes straight over as many faces as there are meets one twice
   if (list_.size() == 1)
-    cross_alone(apex, Window(list_[0]), depth);  // what goes on at once may take its place
+    cross_alone(apex, Window(list_[0]));  // what goes on at once may take its place
   else
-    cross(apex, depth);
+    cross(apex);
 }
 
 /// Xin and Wang's filter, and the trimming that follows from it: |image x| - x falls along the half-edge, so where the
@@ -194,8 +186,9 @@ void Propagation::filter(const Apex& apex) {
   list_.erase(list_.begin(), list_.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
-bool Propagation::same_source(const Window& a, const Window& b) const {
-  return one_source_ || a.origin == b.origin || source_of(a.origin) == source_of(b.origin);
+/// Whether windows may become one as far as it is not for Merging to say: they have one source and are not too deep.
+bool Propagation::may_join(const Window& a, const Window& b) const {
+  return a.origin == b.origin && std::max<std::uint32_t>(a.depth, b.depth) <= deepest_merge_;
 }
 
 /// mirror_sine of a half-edge, seen from the face below it.
@@ -212,7 +205,7 @@ void Propagation::merge(const Apex& apex) {
   if (keep_) kept_.begin_pass(apex.half_edge);
   merging_.merge(
       list_, {apex.length, sine_below(apex.half_edge)},
-      [this](const Window& a, const Window& b) { return same_source(a, b); },
+      [this](const Window& a, const Window& b) { return may_join(a, b); },
       [this](std::size_t first, std::size_t last) {
         if (!keep_) return no_index;
         const Index number = kept_.add(list_[first]);

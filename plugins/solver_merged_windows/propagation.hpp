@@ -30,11 +30,16 @@ struct Counts {
 /// Thrown by a run in which so few windows merge that exact ones are faster.
 struct MergingFails {};
 
+/// What labels take for a step of their paths; none are kept (upper_bounds.hpp has those of D).
+struct LabelStep {
+  Index vertex = no_index;
+};
+
 /// Windows carried over a surface from its sources, half-edge by half-edge, nearest first, and merged where that costs
 /// little. The labels of vertices are l, the least L of all windows; what is answered is D, the length of the shortest
-/// path found. README.md proves l <= d <= D <= (1 + delta) l. Distances, faces and vertices are those of the packed
+/// path found. PROOF.md proves l <= d <= D <= (1 + delta) l. Distances, faces and vertices are those of the packed
 /// mesh. Used again and again: a run costs what it reaches.
-class Propagation : public VertexPropagation<Propagation, Step> {
+class Propagation : public VertexPropagation<Propagation, LabelStep> {
  public:
   using Settings = merged_windows::Settings;
 
@@ -50,9 +55,6 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   /// Forgets the last run. With `keep` all windows that are carried on are kept.
   void begin(bool keep, double limit);
-
-  /// VertexPropagation's.
-  void seed(const Source& source, Index number);
 
   /// D of a vertex.
   FoundDistance answer(Index vertex) const { return upper_[vertex]; }
@@ -93,11 +95,11 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void lowered_at_source(Index vertex, double distance, Index source);
 
   void process(Index half_edge, Index window);
-  std::uint32_t gather(Index window);
+  void gather(Index window);
   void keep_nearest(Index half_edge);
   void list_pieces(std::span<const Window> windows);
   void list_parts(std::span<const Window> windows);
-  void pass(Index half_edge, std::uint32_t depth);
+  void pass(Index half_edge);
   void filter(const Apex& apex);
   double sine_below(Index half_edge) const;
   void merge(const Apex& apex);
@@ -106,20 +108,21 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   void pass_alone(Index half_edge, const Window& window);
   bool is_needless(const Window& window, const Apex& apex) const;
-  void cross_alone(const Apex& apex, const Window& window, std::uint32_t depth);
-  void cross(const Apex& apex, std::uint32_t depth);
+  void cross_alone(const Apex& apex, const Window& window);
+  void cross(const Apex& apex);
   Split split_at(const Apex& apex) const;
   void lower_apex(const Apex& apex, const Split& split);
   void lower_apex_straight(const Apex& apex, const Window& window);
   void lower_apex_bent(const Apex& apex, const Window& window, double x);
   void lower_apex_by(const Apex& apex, const Window& window, double x, double value);
-  bool same_source(const Window& a, const Window& b) const;
+  bool may_join(const Window& a, const Window& b) const;
 
-  void carry_one_by_one(const Apex& apex, std::uint32_t depth);
-  void carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped, std::uint32_t depth);
-  void carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped, std::uint32_t depth);
-  Window carried_left(const Apex& apex, const Window& window, bool clipped, std::uint32_t depth) const;
-  Window carried_right(const Apex& apex, const Window& window, bool clipped, std::uint32_t depth) const;
+  void carry_one_by_one(const Apex& apex);
+  void carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
+  void carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
+  Window carried_left(const Apex& apex, const Window& window, bool clipped) const;
+  Window carried_right(const Apex& apex, const Window& window, bool clipped) const;
+  void enter(Window& window, Entry entry) const;
   void send(Index edge);
   void hand_on_alone(const Window& window, const Apex& apex, int i);
   void hand_on(std::span<const Window> run, Index edge);
@@ -131,8 +134,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   UpperBounds upper_;
   FanEnvelope fans_;
   KeptWindows kept_;
-  std::size_t deepest_merge_;
-  bool one_source_ = true;
+  std::uint32_t deepest_merge_;  ///< F of the proof
   WindowList list_, child_, chosen_;
   WindowList gathered_, parts_;
   std::vector<std::size_t> ends_;  ///< of runs in gathered_

@@ -2,18 +2,27 @@
 #include "plugins/solver_merged_windows/wavefront.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "plugins/common/exact/least_distance.hpp"
 #include "plugins/common/exact/tolerances.hpp"
 
 namespace geodrome::merged_windows {
 namespace {
 
-/// No point of ordered windows has a lower L than this: L changes by at most the way along them.
-double least_value(std::span<const Window> run) {
+/// About the least L of ordered windows, by which they queue: exact where L changes by at most the way along them.
+double nearness(std::span<const Window> run) {
   const Window &first = run.front(), &last = run.back();
   return std::max(0.0, 0.5 * (first.at(first.low) + last.at(last.high) - (last.high - first.low)));
+}
+
+bool is_beyond(double limit, double value) { return value * (1 - rounding_share) > limit; }
+
+/// Whether all L of windows are above a limit. Most are told by `near`, without a look at each of them.
+bool all_beyond(double limit, double near, std::span<const Window> run) {
+  return is_beyond(limit, near) && std::all_of(run.begin(), run.end(), [limit](const Window& w) {
+           return is_beyond(limit, least_distance(w, w.low, w.high));
+         });
 }
 
 }  // namespace
@@ -35,8 +44,8 @@ Wavefront::Next Wavefront::taken(Index element) {
 
 std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double limit) {
   if (run.empty()) return 0;
-  const double near = least_value(run), length = surface_.length(edge);
-  if (near * (1 - rounding_share) > limit) return 0;
+  const double near = nearness(run), length = surface_.length(edge);
+  if (all_beyond(limit, near, run)) return 0;
   std::size_t pushed = 0;
   surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
     chain(run, half_edge, mirrored, length);
@@ -47,9 +56,8 @@ std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double 
 }
 
 bool Wavefront::push_alone(const Window& window, const PackedMesh::Across& across, double length, double limit) {
-  const double aside = std::max({window.low - window.x, 0.0, window.x - window.high});
-  const double near = std::max(0.0, window.sigma + std::sqrt(aside * aside + window.y * window.y));
-  if (near * (1 - rounding_share) > limit) return false;
+  const double near = std::max(0.0, least_distance(window, window.low, window.high));
+  if (is_beyond(limit, near)) return false;
   const Index place = pool_.add();
   pool_[place] = window;
   if (across.mirrored) pool_[place] = mirrored(window, length);

@@ -22,10 +22,10 @@ namespace geodrome::merged_windows {
 struct alignas(64) Window {
   double x, y, sigma, low, high;
   double slack;                       ///< >= 0
-  Index origin;                       ///< a vertex, or `vertex count + i` for source i of the request
-  Index parent;                       ///< number of the kept window it came from, no_index if from its pseudo-source
+  Index origin;                       ///< `vertex count + i` for source i of the request, from which the way of U comes
+  Index parent;                       ///< in a run that keeps windows, what U goes on through (kept_windows.hpp)
   Index next;                         ///< in a chain of waiting windows
-  std::uint32_t depth : 28;           ///< faces crossed since the pseudo-source, at least; at most `deepest`
+  std::uint32_t depth : 28;           ///< faces its lines have crossed since the pseudo-source; at most `deepest`
   std::uint32_t entry_bits : 2;       ///< `entry`
   std::uint32_t ends_run : 1;         ///< in a chain: what follows is in no order with the windows up to this one
   std::uint32_t from_face_below : 1;  ///< its source lies inside the face below

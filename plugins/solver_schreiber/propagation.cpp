@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/least_distance.hpp"
 #include "plugins/solver_schreiber/claimant.hpp"
 #include "plugins/solver_schreiber/claims.hpp"
 
@@ -17,6 +18,16 @@ namespace {
 bool is_close(const Generator& g, double length) {
   const double close = close_share * length;
   return -g.y <= close && 0 < g.x && g.x < length;
+}
+
+/// Returns the least distance of what the generators of a front claim of a half-edge. O(n).
+double least_distance_of(const Front& front, double length) {
+  double least = infinity;
+  front.for_each([&](const Generator& g) {
+    const Interval claim = claim_of(g, length);
+    least = std::min(least, least_distance(g, std::min(claim.low, claim.high), std::max(claim.low, claim.high)));
+  });
+  return least;
 }
 
 /// The margin exceeds the rounding of the distance at which a generator dies.
@@ -127,7 +138,8 @@ void Propagation::pass(Index half_edge, Front front, Ends ends, Course course) {
   if (front.empty()) return;
   count_pass(half_edge, front.size());
   const double widest = surface_.longest_side(half_edge / 3);
-  // No point of the face that belongs to the front is farther, so whatever dies in the face dies before that distance.
+  // No point of the face to which the front is the shortest way is farther. What dies in the face beyond that distance
+  // dies on rays that are no shortest ways, where whatever the front offers is in vain.
   const double until = (0.5 * (ends.at_low + ends.at_high + (ends.high - ends.low)) + widest) * (1 + event_margin);
   editor_.narrow(front, apex.length, until);
   if (keep_) kept_.keep(half_edge, front);
@@ -260,7 +272,7 @@ void Propagation::hand_on(Front front, Ends ends, Index edge, Entry entry, const
     ends = ends_of(front, length);
   }
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
-  if (near * (1 - rounding_share) > limit_) return;
+  if (near * (1 - rounding_share) > limit_ && least_distance_of(front, length) * (1 - rounding_share) > limit_) return;
   const bool at_once = front.size() == 1 && is_close(front[0], length);
   surface_.for_each_across(edge, [&](Index half_edge, bool same_way) {
     Front own = same_way ? editor_.mirrored(front, length) : front;

@@ -12,6 +12,7 @@
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/propagation.hpp"
 #include "plugins/common/exact/watched_target.hpp"
+#include "plugins/common/mesh/for_listed_or_all.hpp"
 
 namespace geodrome {
 
@@ -141,14 +142,14 @@ double PropagationSearch<Propagation>::farthest_target(const Request& request) c
 template <MeshPropagation Propagation>
 void PropagationSearch<Propagation>::write_distances() {
   const double units = std::ldexp(1.0, surface_->exponent());
-  for (const Index v : written_) distances_[v] = infinity;
+  for_listed_or_all(written_, distances_.size(), [&](Index v) { distances_[v] = infinity; });
   written_.clear();
-  for (const Index v : propagation_.reached()) {
+  for_listed_or_all(propagation_.reached(), distances_.size(), [&](Index v) {
     const double inner = propagation_.answer(v).distance, value = inner / units;
-    if (value > radius() || inner > limit_) continue;
+    if (inner == infinity || value > radius() || inner > limit_) return;
     written_.push_back(surface_->original_vertex(v));
     distances_[written_.back()] = value;
-  }
+  });
 }
 
 /// What was found may be longer than what waits beyond the limit, and by rounding than the answer.

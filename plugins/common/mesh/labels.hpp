@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geodrome/geometry.hpp"
+#include "plugins/common/mesh/for_listed_or_all.hpp"
 
 namespace geodrome {
 
@@ -54,7 +55,7 @@ class Labels {
   const std::vector<Index>& touched() const { return touched_; }
 
   void reset(bool with_steps) {
-    for (const Index v : touched_) labels_[v] = {};
+    for_listed_or_all(touched_, labels_.size(), [this](Index v) { labels_[v] = {}; });
     touched_.clear();
     if (with_steps && steps_.empty()) steps_.resize(labels_.size());
     with_steps_ = with_steps;

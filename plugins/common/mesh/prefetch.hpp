@@ -3,9 +3,8 @@
 
 namespace geodrome {
 
-/// Fetches the cache line at `place`, which will be used soon; nothing happens if there is no such memory. GCC takes a
-/// function that only fetches for one without effect and drops calls of it (findings/gcc_drops_fetching_calls.sh), so
-/// an effect is stated here.
+/// Fetches the cache line at `place`, which will be used soon; nothing happens if there is no such memory. GCC 12 takes
+/// a function that only fetches for one without effect, and drops calls of it, so an effect is stated here.
 inline void prefetch(const void* place) {
   __builtin_prefetch(place);
   asm volatile("");

@@ -9,7 +9,7 @@
 #include "tools/shapes/fuzz_mesh.hpp"
 #include "tools/shapes/hostile.hpp"
 
-/// l <= d <= D <= (1 + delta) l at every vertex: what README.md proves.
+/// l <= d <= D <= (1 + delta) l at every vertex: what PROOF.md proves.
 namespace geodrome::test {
 namespace {
 
@@ -20,10 +20,10 @@ struct Bounds {
   std::vector<double> lower, upper;
 };
 
-Bounds bounds_of(const MeshPtr& mesh, const std::vector<Source>& sources, double delta) {
+Bounds bounds_of(const MeshPtr& mesh, const std::vector<Source>& sources, double delta, double limit = infinity) {
   const PackedMesh surface(mesh);
   merged_windows::Propagation propagation(surface, {delta, infinity, infinity});
-  propagation.begin(false, infinity);
+  propagation.begin(false, std::ldexp(limit, surface.exponent()));
   for (Index i = 0; i < sources.size(); ++i)
     propagation.seed({sources[i].at, std::ldexp(sources[i].start, surface.exponent())}, i);
   const QuietContext context;
@@ -90,6 +90,37 @@ TEST(MergedWindows, BoundTheDistanceOnFuzzedMeshes) {
   shapes::Random random(32);
   for (std::uint64_t seed = 1; seed <= 60; ++seed)
     expect_bounds(share(shapes::fuzz_mesh(seed).mesh), random, "fuzz " + std::to_string(seed));
+}
+
+/// Where d is not beyond the limit, l and D are as good as without one; elsewhere l, or the limit if it is lower, is
+/// still no more than d.
+void expect_bounds_within(double limit, const MeshPtr& mesh, const std::vector<Source>& sources,
+                          const std::vector<double>& d, double delta) {
+  const Bounds bounds = bounds_of(mesh, sources, delta, limit);
+  for (std::size_t v = 0; v < d.size(); ++v) {
+    if (!std::isfinite(d[v])) continue;
+    const std::string where = std::to_string(mesh->face_count()) + " faces, delta " + std::to_string(delta) +
+                              ", limit " + std::to_string(limit) + ", vertex " + std::to_string(v);
+    ASSERT_LE(std::min(bounds.lower[v], limit), d[v] + 1e-12 * limit) << where;
+    if (d[v] > limit * (1 - 1e-12)) continue;
+    ASSERT_LE(bounds.upper[v], (1 + delta) * d[v] + 1e-12 * limit) << where;
+  }
+}
+
+TEST(MergedWindows, BoundTheDistanceWithinALimitAsWell) {
+  shapes::Random random(34);
+  for (const std::uint64_t seed : {42, 70, 89, 262, 344, 355, 884, 914, 1, 2, 3, 4, 5, 6})
+    for (int draw = 0; draw < 4; ++draw) {
+      const MeshPtr mesh = share(shapes::fuzz_mesh(seed).mesh);
+      const std::vector<Source> sources = random_sources(mesh, random);
+      const std::vector<double> d = exact(mesh, sources);
+      std::vector<double> reached;
+      for (const double value : d)
+        if (value > 0 && std::isfinite(value)) reached.push_back(value);
+      for (int i = 0; i < 8; ++i)
+        expect_bounds_within(reached[random.index(reached.size())] * random.uniform(1, 1.05), mesh, sources, d,
+                             std::pow(10, random.uniform(-2, 0)));
+    }
 }
 
 TEST(MergedWindows, BoundTheDistanceOnHostileMeshes) {

@@ -37,6 +37,7 @@ Scene random_scene(Random& random) {
     if (i > 0) window.sigma += scene.windows[i - 1].at(window.low) - window.at(window.low);
     window.slack = random.index(2) * random.uniform(0, 0.6) * scene.delta * window.at(window.low);
     window.origin = 1, window.parent = no_index;
+    window.depth = static_cast<std::uint32_t>(1 + random.index(9));
     scene.windows.push_back(window);
   }
   return scene;
@@ -86,8 +87,10 @@ void expect_sound(const Scene& scene, const Group& group) {
   EXPECT_NEAR(merged.at(merged.high), last.at(last.high), noise);
   EXPECT_LE(slope(merged, merged.low), slope(first, first.low) + 1e-9);
   EXPECT_GE(slope(merged, merged.high), slope(last, last.high) - 1e-9);
+  std::uint32_t deepest = 0;
   for (std::size_t i = group.first; i < group.last; ++i) {
     const Window& old = scene.windows[i];
+    deepest = std::max<std::uint32_t>(deepest, old.depth);
     for (const double x : places_of(old)) {
       const double l = merged.at(x), drop = old.at(x) - l;
       EXPECT_GE(drop, -noise);
@@ -98,6 +101,7 @@ void expect_sound(const Scene& scene, const Group& group) {
       EXPECT_LE(drop, scene.sine * std::min(x, 1 - x) * (1 - m * m) + 2 * noise);
     }
   }
+  EXPECT_EQ(merged.depth, deepest);
 }
 
 TEST(Merging, LowersLAndPaysForIt) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "tools/conformance/solver/solver_trial.hpp"
+#include "tools/shapes/fuzz_mesh.hpp"
 
 namespace geodrome::conformance {
 namespace {
@@ -107,6 +108,32 @@ void radius(SolverTrial& t) {
     t.equal(map.vertices()[v], all[v] <= 4 ? all[v] : infinity, "vertex ", v);
     t.holds(distance.reach == (all[v] <= 4 ? Reach::reached : Reach::beyond_limit), "reached or beyond_limit",
             "vertex ", v);
+  }
+}
+
+/// Behind lines that are not shortest paths, what is near lies between what is far: a solver that judges many lines by
+/// the outermost of them loses it.
+void radius_on_hard_meshes(SolverTrial& t) {
+  t.needs(Provides::radius_limit);
+  if (t.approximates()) t.needs_factor();
+  struct Case {
+    std::uint64_t seed;
+    Index source;
+    double radius;
+  };
+  for (const auto& [seed, source, radius] :
+       {Case{42, 265, 11.206482}, Case{262, 343, 6.567359}, Case{344, 120, 296.108496}, Case{884, 6, 115.09322}}) {
+    const MeshPtr mesh = std::make_shared<const SurfaceMesh>(shapes::fuzz_mesh(seed).mesh);
+    if (!t.fits(*mesh)) continue;
+    Running running(t.plugin, mesh);
+    const auto all = copy(running.run({{mesh->at_vertex(source)}}).vertices());
+    const double share = rounding * largest_finite(all), factor = t.factor_or_one();
+    const auto found = running.run({{mesh->at_vertex(source)}}, {.radius = radius}).vertices();
+    for (Index v = 0; v < mesh->vertex_count(); ++v) {
+      if (all[v] > factor * radius + share) t.equal(found[v], infinity, "fuzz ", seed, ", vertex ", v);
+      if (factor * all[v] < radius - share)
+        t.same_distance(found[v], all[v], largest_finite(all), "fuzz ", seed, ", vertex ", v);
+    }
   }
 }
 
@@ -222,6 +249,8 @@ DemandTable request_demands() {
       solver_demand<start_distance>("requests.start_distance",
                                     "start distances are added; a late source is reached earlier"),
       solver_demand<radius>("requests.radius", "a radius cuts off, says beyond_limit, and changes nothing within"),
+      solver_demand<radius_on_hard_meshes>("requests.radius_hard",
+                                           "a radius changes nothing within on hard meshes either"),
       solver_demand<radius_and_components>("requests.radius_components", "unreachable and beyond_limit are told apart"),
       solver_demand<targets_are_kept>("requests.targets", "targets in faces are kept without the whole map"),
       solver_demand<what_was_not_kept>("requests.not_kept", "what was not kept is refused, not guessed"),
