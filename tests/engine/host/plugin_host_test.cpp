@@ -105,6 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"bad_exits_at_load", "ended the process with status 0 while being loaded"},
         Refused{"bad_duplicate_option", "option 'k' is declared twice"},
         Refused{"bad_default", "option 'k': '30' is not a whole number from 1 to 9"},
+        Refused{"bad_comma", "option 'delta': a value with a comma cannot be written, since a comma ends an option"},
         Refused{"bad_stage", "its stage 'teleporter' is none of tangent, control, decimator, reconstructor, solver"},
         Refused{"bad_name", "its name 'Bad Name' is not made of a-z, 0-9 and _"},
         Refused{"bad_summary", "its summary is missing"},
