@@ -76,7 +76,7 @@ std::vector<OptionInfo> option_infos(std::span<const OptionSpec> specs) {
 double default_factor(const PluginDescriptor& plugin, std::span<const OptionSpec> specs) {
   const OptionValues defaults(specs);
   const double factor = plugin.factor(&defaults);
-  if (!(factor >= 1)) throw PluginError("its factor " + std::to_string(factor) + " is below 1 or no number");
+  if (!(factor >= 1)) throw PluginError("its factor " + OptionValues::shown(factor) + " is below 1 or no number");
   return factor;
 }
 
