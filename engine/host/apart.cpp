@@ -20,6 +20,8 @@
 #include <new>
 #include <utility>
 
+#include "engine/formats/number_text.hpp"
+#include "engine/formats/parse_number.hpp"
 #include "engine/host/child.hpp"
 #include "engine/host/crash_words.hpp"
 #include "engine/host/messages.hpp"
@@ -59,7 +61,7 @@ class Teller final : public Observer {
     const auto now = std::chrono::steady_clock::now();
     if (stage == stage_ && fraction < 1 && now - told_ < pause) return;
     stage_ = stage, told_ = now;
-    send(descriptor_, {of_progress, stage_, std::to_string(fraction)});
+    send(descriptor_, {of_progress, stage_, number_text(fraction)});
   }
   void log(LogLevel level, std::string_view message) override {
     const std::lock_guard lock(mutex_);
@@ -154,7 +156,7 @@ std::optional<Message> listen(int descriptor, std::atomic<bool>& cancelled, Obse
     if (ready > 0) open = reader.read_from(descriptor);
     while (std::optional<Message> message = reader.next()) {
       if ((*message)[0] == of_progress)
-        observer.progress((*message)[1], std::stod((*message)[2]));
+        observer.progress((*message)[1], input::parse_number((*message)[2]).value);
       else if ((*message)[0] == of_log)
         observer.log(static_cast<LogLevel>(std::stoi((*message)[1])), (*message)[2]);
       else

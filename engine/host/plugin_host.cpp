@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "engine/formats/number_text.hpp"
 #include "engine/formats/text.hpp"
 #include "engine/host/installed.hpp"
 #include "engine/host/plugin_choice.hpp"
@@ -207,7 +208,7 @@ PluginHost::Loaded PluginHost::load_object(std::string_view stage, std::string_v
     OptionValues options({descriptor.options, descriptor.option_count}, choice.options);
     auto object = create(plugin, options);
     const double factor = descriptor.factor(&options);
-    if (!(factor >= 1)) throw PluginError("its factor with these options is " + std::to_string(factor) + ", below 1");
+    if (!(factor >= 1)) throw PluginError("its factor with these options is " + number_text(factor) + ", below 1");
     return {std::move(object), with_factor(plugin.info, descriptor.provides, factor), std::move(options), factor,
             descriptor.extension};
   });

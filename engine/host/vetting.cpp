@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "engine/formats/number_text.hpp"
+#include "engine/formats/parse_number.hpp"
 #include "engine/host/installed.hpp"
 #include "engine/host/plugin_json.hpp"
 #include "geodrome/abi.hpp"
@@ -20,19 +22,11 @@ constexpr double longest_limit_seconds = 3600;
 double limit_in_seconds() {
   const char* text = std::getenv("GEODROME_VET_TIMEOUT");
   if (text == nullptr) return default_limit_seconds;
-  char* end = nullptr;
-  const double seconds = std::strtod(text, &end);
-  if (end == text || *end != '\0' || !(seconds > 0 && seconds <= longest_limit_seconds))
+  const auto [seconds, fault] = input::parse_number(text);
+  if (fault != input::NumberFault::none || !(seconds > 0 && seconds <= longest_limit_seconds))
     throw OptionError("GEODROME_VET_TIMEOUT: '" + std::string(text) +
                       "' is not a number of seconds above 0, up to 3600");
   return seconds;
-}
-
-std::string shown(double seconds) {
-  std::string text = std::to_string(seconds);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text + " s";
 }
 
 }  // namespace
@@ -56,7 +50,8 @@ std::variant<PluginInfo, PluginRefusal> vet(const fs::path& file) {
   const double seconds = limit_in_seconds();
   const std::chrono::milliseconds limit(static_cast<std::int64_t>(1000 * seconds) + 1);
   const ChildEnd end = run_child(installed_program("geodrome-vet"), {file.string()}, limit);
-  if (end.timed_out) return PluginRefusal{file, "did not finish loading within " + shown(seconds) + last_words(end)};
+  if (end.timed_out)
+    return PluginRefusal{file, "did not finish loading within " + number_text(seconds) + " s" + last_words(end)};
   if (!end.exited) {
     return PluginRefusal{file, "crashed with " + signal_name(end) + " while being loaded" + last_words(end)};
   }

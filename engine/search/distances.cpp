@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "engine/formats/number_text.hpp"
 #include "engine/search/reach.hpp"
 #include "engine/search/traced_path.hpp"
 
@@ -45,7 +46,7 @@ Distance by_search(const ShortestPathMap& map, const Starts& starts, std::span<c
   if (!is_distance(found.value)) throw_no_distance(found.value, "target " + target.label);
   if ((found.reach == Reach::reached) != std::isfinite(found.value))
     throw NumericalError("said " + std::string(reach_word(found.value, found.reach, target.place)) + " of target " +
-                             target.label + ", whose distance it gives as " + std::to_string(found.value),
+                             target.label + ", whose distance it gives as " + number_text(found.value),
                          "choose another solver, and report this to the author of the plugin");
   if (found.reach != Reach::reached) return {found.value, found.reach, no_index};
   if (found.source >= starts.sources.size())
@@ -71,7 +72,7 @@ void read_row(const ShortestPathMap* map, const NamedPoint& source, const Target
 }  // namespace
 
 void throw_no_distance(double value, const std::string& whose) {
-  throw NumericalError("computed " + std::to_string(value) + " as the distance of " + whose,
+  throw NumericalError("computed " + number_text(value) + " as the distance of " + whose,
                        "choose another solver, and report this to the author of the plugin");
 }
 

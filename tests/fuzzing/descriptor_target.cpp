@@ -81,8 +81,15 @@ void demand_usable(const OptionSpec& spec, const OptionValues& values) {
     demand(whole >= spec.minimum && whole <= spec.maximum, "a whole number is in its range");
   }
   if (spec.type == OptionType::number) demand(!std::isnan(values.number(spec.name)), "a number is one");
-  if (spec.type == OptionType::choice)
-    demand(choice_index(spec.choices, values.text(spec.name)) != no_choice, "a choice is one of its words");
+  if (spec.type != OptionType::choice) return;
+  demand(choice_index(spec.choices, values.text(spec.name)) != no_choice, "a choice is one of its words");
+  for (std::string_view rest = spec.choices;;) {
+    const std::string word(rest.substr(0, rest.find('|')));
+    const OptionValues chosen({&spec, 1}, std::string(spec.name) + "=" + word);
+    demand(chosen.text(spec.name) == word, "every choice can be written");
+    if (word.size() == rest.size()) return;
+    rest.remove_prefix(word.size() + 1);
+  }
 }
 
 nlohmann::json answer_with(const PluginInfo& info) {

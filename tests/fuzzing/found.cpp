@@ -18,6 +18,10 @@ std::span<const Found> found_inputs() {
        "112\n2\nsolver\nown\ns\nMIT\n0\n0\n1\n0\nsmooth\n0\nyes\n0\n0\nyes|no\n\nh\n"sv},
       {"descriptor", "a whole number that is beyond all whole numbers",
        "112\n2\nsolver\nown\ns\nMIT\n0\n0\n1\n0\nk\n1\n1e300\n0\n1e301\n\n\nh\n"sv},
+      {"descriptor", "a default that is a number and a comma",
+       "112\n2\nsolver\nown\ns\nMIT\n0\n0\n1\n0\ndelta\n2\n0.,\n0\n1\n\n\nh\n"sv},
+      {"descriptor", "a choice that nobody can write, since it has a comma",
+       "112\n2\nsolver\nown\ns\nMIT\n0\n0\n1\n0\nrule\n3\nfast\n0\n0\nfast|slow,exact\n\nh\n"sv},
   };
   return all;
 }

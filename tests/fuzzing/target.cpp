@@ -15,13 +15,16 @@ std::size_t lines_of(std::string_view bytes) {
                  std::count_if(bytes.begin(), bytes.end(), [](char c) { return c == '\n' || c == '\r'; }));
 }
 
-/// The number of the line that a message names behind the file; nothing if it names none.
+/// The number of the line that a message names behind the file; nothing if it names none. Only the place where the file
+/// is named first counts: what is quoted from the file comes later, and may look the same.
 std::optional<std::size_t> line_named(std::string_view message, std::string_view file) {
-  const std::string word = std::string(file) + ": line ";
-  const std::size_t at = file.empty() ? message.npos : message.find(word);
+  const std::size_t at = file.empty() ? message.npos : message.find(file);
   if (at == message.npos) return std::nullopt;
+  constexpr std::string_view word = ": line ";
+  message.remove_prefix(at + file.size());
+  if (!message.starts_with(word)) return std::nullopt;
   std::size_t line = 0;
-  const char* const begin = message.data() + at + word.size();
+  const char* const begin = message.data() + word.size();
   const auto [end, error] = std::from_chars(begin, message.data() + message.size(), line);
   demand(error == std::errc() && end != begin, "a message names a line by its number");
   return line;

@@ -24,6 +24,10 @@ constexpr auto wrong = settings_table(option("k", &Settings::k, "2.5", 0, 255, "
 #ifdef NO_CHOICE
 constexpr auto wrong = settings_table(option("on", &Settings::on, "yes", "a help"));
 #endif
+#ifdef CHOICE_WITH_COMMA
+constexpr auto wrong =
+    settings_table(option("rule", &Settings::rule, "fast", "fast|slow,exact", {Rule::fast, Rule::exact}, "a help"));
+#endif
 #ifdef TOO_SMALL_A_MEMBER
 constexpr auto wrong = settings_table(option("k", &Settings::k, "20", 0, 256, "points", "a help"));
 #endif

@@ -29,6 +29,8 @@ void check_stage(const std::string& stage) {
   throw PluginError("its stage '" + stage + "' is none of tangent, control, decimator, reconstructor, solver");
 }
 
+bool has_comma(const std::string& value) { return value.find(',') != value.npos; }
+
 constexpr double largest_whole = 9007199254740992;  // 2^53
 
 OptionInfo option_info(const OptionSpec& spec) {
@@ -47,6 +49,8 @@ OptionInfo option_info(const OptionSpec& spec) {
   info.choices = text(spec.choices, what + "the list of choices");
   if (spec.type == OptionType::boolean && info.choices != "on|off")
     throw PluginError(what + "is on or off, nothing else");
+  if (has_comma(info.default_value) || (spec.type == OptionType::choice && has_comma(info.choices)))
+    throw PluginError(what + "a value with a comma cannot be written, since a comma ends an option");
   info.unit = text(spec.unit, what + "the unit");
   info.help = text(spec.help, what + "the help");
   return info;
@@ -72,7 +76,7 @@ std::vector<OptionInfo> option_infos(std::span<const OptionSpec> specs) {
 double default_factor(const PluginDescriptor& plugin, std::span<const OptionSpec> specs) {
   const OptionValues defaults(specs);
   const double factor = plugin.factor(&defaults);
-  if (!(factor >= 1)) throw PluginError("its factor " + std::to_string(factor) + " is below 1 or no number");
+  if (!(factor >= 1)) throw PluginError("its factor " + OptionValues::shown(factor) + " is below 1 or no number");
   return factor;
 }
 

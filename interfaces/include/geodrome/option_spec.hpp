@@ -10,7 +10,8 @@ namespace geodrome {
 /// The type of an option: on or off, a whole number, a real number, one of several words.
 enum class OptionType : std::uint32_t { boolean, integer, number, choice };
 
-/// One option of a plugin, declared once: help, validation, `plugins show` and the run report derive from it.
+/// One option of a plugin, declared once: help, validation, `plugins show` and the run report derive from it. No value
+/// has a comma, which ends an option where a user writes several.
 /// Plain data, since it is read across the border to a plugin that may turn out to be incompatible.
 struct OptionSpec {
   const char* name;

@@ -55,6 +55,7 @@ namespace detail {
 inline void declaration_error(const char*) {}
 
 consteval void check_choice(std::string_view choices, std::string_view default_value) {
+  if (choices.find(',') != std::string_view::npos) declaration_error("a comma ends an option, so no choice has one");
   if (choice_index(choices, default_value) == no_choice) declaration_error("the default is none of the choices");
 }
 

@@ -105,11 +105,12 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"bad_exits_at_load", "ended the process with status 0 while being loaded"},
         Refused{"bad_duplicate_option", "option 'k' is declared twice"},
         Refused{"bad_default", "option 'k': '30' is not a whole number from 1 to 9"},
+        Refused{"bad_comma", "option 'delta': a value with a comma cannot be written, since a comma ends an option"},
         Refused{"bad_stage", "its stage 'teleporter' is none of tangent, control, decimator, reconstructor, solver"},
         Refused{"bad_name", "its name 'Bad Name' is not made of a-z, 0-9 and _"},
         Refused{"bad_summary", "its summary is missing"},
         Refused{"bad_needs", "it needs something this host does not know"},
-        Refused{"bad_factor", "its factor 0.500000 is below 1"}),
+        Refused{"bad_factor", "its factor 0.5 is below 1"}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(PluginHost, RefusesAPluginThatHangs) {
@@ -298,8 +299,10 @@ TEST_F(SearchOrder, AnExtraFolderThatIsNotThereIsAnError) {
 }
 
 TEST(PluginHost, AWrongTimeLimitIsAnOptionError) {
-  const Environment limit("GEODROME_VET_TIMEOUT", "soon");
-  EXPECT_THROW(PluginHost().inspect(plugin_file("test_straight")), OptionError);
+  for (const char* wrong : {"", "soon", "0", "-1", "3601", "nan", "5 s", "5,", "1,5", "0x10"}) {
+    const Environment limit("GEODROME_VET_TIMEOUT", wrong);
+    EXPECT_THROW(PluginHost().inspect(plugin_file("test_straight")), OptionError) << wrong;
+  }
 }
 
 TEST(PluginHost, ThreadsMayLoadTheSamePluginAtOnce) {

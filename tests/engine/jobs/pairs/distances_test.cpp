@@ -149,6 +149,15 @@ TEST_F(PairQueries, NameThePairAndThePluginOfWhatIsNoDistance) {
     }
 }
 
+TEST_F(PairQueries, TellInFullWhatIsBelowZeroByLittle) {
+  try {
+    ask({{vertex(3), vertex(4)}}, [](double) { return -1e-9; });
+    ADD_FAILURE() << "was accepted";
+  } catch (const NumericalError& error) {
+    EXPECT_NE(std::string(error.what()).find("computed -1e-09 as"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(PairQueries, CanBeCancelled) {
   CancelledContext cancelled;
   EXPECT_THROW(pair_distances(surface_, solver_, ToldOracle(mesh_), many(10), 2, cancelled), Cancelled);
