@@ -14,7 +14,7 @@ using merged_windows::BoundedSearch;
 class Solver final : public ShortestPathSolver {
  public:
   explicit Solver(const OptionValues& values) : settings_(MergedWindowsSolver::options.parsed(values)) {
-    settings_.long_list = settings_.many_tries = infinity;
+    settings_.long_list = settings_.many_tries = infinity, settings_.few_faces = 0;
   }
 
   std::unique_ptr<PreparedSurface> prepare(MeshPtr mesh, RunContext& context) const override {
