@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -28,7 +29,10 @@ class Fallback {
   };
 
   Fallback(const PackedMesh& surface, const Settings& settings)
-      : surface_(surface), delta_(settings.delta), merged_(surface, settings) {}
+      : surface_(surface),
+        delta_(settings.delta),
+        has_few_faces_(std::pow(surface.face_count(), 1.5) * settings.delta < settings.few_faces),
+        merged_(surface, settings) {}
 
   void begin(bool keep, double limit);
   void seed(const Source& source, Index number);
@@ -38,10 +42,10 @@ class Fallback {
   template <class LowerLimit>
   void run(const RunContext& context, LowerLimit&& lower_limit) {
     try {
-      return merged_.run(context, lower_limit);
+      if (!has_few_faces_) return merged_.run(context, lower_limit);
     } catch (const MergingFails&) {
-      begin_exact();
     }
+    begin_exact();
     exact_->run(context, lower_limit);
   }
 
@@ -65,6 +69,7 @@ class Fallback {
 
   const PackedMesh& surface_;
   double delta_;
+  bool has_few_faces_;
   Propagation merged_;
   std::optional<Exact> exact_;  ///< made when it is needed first
   bool is_exact_ = false, keep_ = false;

@@ -54,10 +54,11 @@ void Propagation::next() {
     process(next.half_edge, next.window);
 }
 
-/// Throws MergingFails.
+/// Throws MergingFails; not when much of the work is done, which would be lost.
 void Propagation::polled() const {
   constexpr std::uint64_t enough_passes = 768;
-  if (counts_.passes < enough_passes) return;
+  const std::uint64_t late = enough_passes + surface_.face_count() / 6;
+  if (counts_.passes < enough_passes || counts_.passes > late) return;
   const auto& [tried, done] = merging_.counts();
   const auto times = [](double most, std::uint64_t count) { return most * static_cast<double>(count); };
   if (static_cast<double>(counts_.propagated) > times(settings_.long_list, counts_.passes) ||

@@ -14,7 +14,9 @@ struct Settings {
   double delta = 1e-3;  ///< D is at most 1 + delta times too long
   /// The run begins again with exact windows where more than so many are carried across a face, in the mean, or where
   /// more than so many merges are tried for one that is made. No options of the plugin: figures say what is fastest.
-  double long_list = 3, many_tries = 8;
+  double long_list = 8, many_tries = 8;
+  /// Exact windows are used at once where F^1.5 delta is below this: the run would be over before much could merge.
+  double few_faces = 20;
   Value value = Value::upper;
 };
 

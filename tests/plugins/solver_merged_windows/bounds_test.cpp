@@ -22,7 +22,7 @@ struct Bounds {
 
 Bounds bounds_of(const MeshPtr& mesh, const std::vector<Source>& sources, double delta, double limit = infinity) {
   const PackedMesh surface(mesh);
-  merged_windows::Propagation propagation(surface, {delta, infinity, infinity});
+  merged_windows::Propagation propagation(surface, {delta, infinity, infinity, 0});
   propagation.begin(false, std::ldexp(limit, surface.exponent()));
   for (Index i = 0; i < sources.size(); ++i)
     propagation.seed({sources[i].at, std::ldexp(sources[i].start, surface.exponent())}, i);

@@ -32,7 +32,7 @@ struct Run {
 /// With windows that stay merged, however long lists are.
 Run merged_run(const MeshPtr& mesh, double delta, const std::vector<Source>& sources) {
   QuietContext context;
-  const merged_windows::Settings settings{delta, infinity, infinity};
+  const merged_windows::Settings settings{delta, infinity, infinity, 0};
   return {prepare_exact<merged_windows::Fallback, merged_windows::BoundedSearch>(mesh, settings, context), sources};
 }
 

@@ -12,53 +12,6 @@ namespace {
 
 using List = std::vector<std::string>;
 
-FactorFigures figures_of_one(const std::vector<double>& exact, const std::vector<double>& found, double factor) {
-  FactorFigures figures;
-  add_places(figures, exact, found, factor, found.size());
-  return figures;
-}
-
-TEST(FactorFigures, MeasureTheExcessOverAllPlacesAboveZero) {
-  const FactorFigures figures = figures_of_one({0, 1, 2}, {0, 1.1, 2.1}, 1.1);
-  EXPECT_EQ(figures.places, 3u);
-  EXPECT_NEAR(figures.largest_excess, 0.1, 1e-12);
-  EXPECT_NEAR(figures.mean_excess, 0.075, 1e-12);
-  EXPECT_EQ(figures.above, 0u);
-  EXPECT_EQ(figures.shortfall, 0);
-}
-
-TEST(FactorFigures, CountWhatIsAboveTheFactorButNotItsRounding) {
-  EXPECT_EQ(figures_of_one({1, 2}, {1.1 + 1e-12, 2}, 1.1).above, 0u);
-  EXPECT_EQ(figures_of_one({1, 2}, {1.1 + 1e-11, 2}, 1.1).above, 1u);
-  EXPECT_EQ(figures_of_one({0, 2}, {1e-9, 2}, 1.1).above, 1u);
-}
-
-TEST(FactorFigures, ShortfallIsAShareOfTheLargestDistance) {
-  EXPECT_NEAR(figures_of_one({1, 4}, {0.9, 4}, 1.1).shortfall, 0.025, 1e-12);
-}
-
-TEST(FactorFigures, TakeUnreachableForRightWhereBothSaySo) {
-  EXPECT_EQ(figures_of_one({1, infinity}, {1, infinity}, 1).above, 0u);
-  EXPECT_EQ(figures_of_one({1, 2}, {1, infinity}, 1).above, 1u);
-  EXPECT_EQ(figures_of_one({1, infinity}, {1, 2}, 1).shortfall, infinity);
-}
-
-TEST(FactorFigures, OfWhatIsNoNumberAreBroken) {
-  const FactorFigures figures = figures_of_one({1, 2}, {1, std::nan("")}, 1.5);
-  EXPECT_EQ(figures.above, 1u);
-  EXPECT_EQ(figures.shortfall, infinity);
-}
-
-TEST(FactorFigures, JudgeOnlyThePlacesThatTheFactorCovers) {
-  FactorFigures figures;
-  add_places(figures, std::vector<double>{1, 1}, std::vector<double>{1, 3}, 1.1, 1);
-  EXPECT_EQ(figures.judged, 1u);
-  EXPECT_EQ(figures.above, 0u);
-  EXPECT_NEAR(figures.largest_excess, 2, 1e-12);
-}
-
-TEST(FactorFigures, WithoutAFactorNothingIsAbove) { EXPECT_EQ(figures_of_one({0, 1}, {0, 9}, infinity).above, 0u); }
-
 TEST(FactorResult, WithoutAFactorHasNothingToBreak) {
   FactorResult result{.factor = 1.5};
   EXPECT_TRUE(result.holds());

@@ -76,7 +76,7 @@ CLI::Option* add_list(CLI::App& command, const char* flag, std::vector<Value>& v
 /// How searches of a judged solver are chosen and given up.
 template <class Options>
 void add_judging(CLI::App& command, Options& options) {
-  command.add_option("--points", options.points, "inside faces, compared beside the vertices")->capture_default_str();
+  command.add_option("--points", options.points, "in faces, compared beside the vertices")->capture_default_str();
   command.add_option("--seed", options.seed, "chooses sources and points")->capture_default_str();
   command.add_option("--seconds", options.seconds, "a search that takes longer is given up")->capture_default_str();
 }

@@ -17,9 +17,6 @@
 namespace geodrome::bench {
 namespace {
 
-/// A figure that is not a number is the worst one.
-void raise(double& worst, double figure) { worst = std::max(worst, std::isnan(figure) ? infinity : figure); }
-
 /// |a - b|, 0 if both are the same infinity.
 double apart(double a, double b) { return a == b ? 0 : std::abs(a - b); }
 
@@ -195,6 +192,8 @@ double largest_finite(std::span<const double> values) {
     if (std::isfinite(value)) largest = std::max(largest, value);
   return largest > 0 ? largest : 1;
 }
+
+void raise(double& worst, double figure) { worst = std::max(worst, std::isnan(figure) ? infinity : figure); }
 
 bool Exactness::exact() const {
   const auto within = [](double figure, double limit) { return figure <= limit; };

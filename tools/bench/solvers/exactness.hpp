@@ -19,6 +19,9 @@ inline constexpr double value_limit = 1e-12, audit_limit = 1e-11;
 /// What distances are compared by: the largest that is finite; 1 if none is above 0.
 double largest_finite(std::span<const double> values);
 
+/// The worst of both; a figure that is not a number is the worst one.
+void raise(double& worst, double figure);
+
 struct ExactnessOptions {
   std::size_t sources = 3;   ///< in turn at a vertex, inside a face, on an edge
   std::size_t points = 300;  ///< inside faces

@@ -32,23 +32,33 @@ std::vector<double> Witness::at(std::span<const SurfacePoint> points) const {
   return values;
 }
 
-double Witness::path_length(const SurfacePoint& from) const {
+std::vector<double> Witness::lower_bounds(std::span<const SurfacePoint> points) const {
+  const LowerBounds& stated = *plugin_.extension<LowerBounds>();
+  std::vector<double> values;
+  values.reserve(points.size());
+  plugin_.call([&](const ShortestPathSolver&) {
+    for (const SurfacePoint& point : points) values.push_back(stated.at(*map_, point));
+  });
+  return values;
+}
+
+MeasuredPath Witness::path(const SurfacePoint& from) const {
   std::vector<SurfacePoint> path;
   const Index source = plugin_.call([&](const ShortestPathSolver&) {
     map_->path(from, path);
     return map_->at(from).source;
   });
-  if (path.empty() || source >= sources_.size()) return infinity;
+  if (path.empty() || source >= sources_.size()) return {};
   const auto miss_start = common_.straight(path.front(), from);
   const auto miss_end = common_.straight(path.back(), sources_[source].at);
-  if (!miss_start || !miss_end) return infinity;
-  double length = sources_[source].start + *miss_start + *miss_end;
+  if (!miss_start || !miss_end) return {};
+  MeasuredPath measured{sources_[source].start, *miss_start + *miss_end};
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const auto step = common_.straight(path[i], path[i + 1]);
-    if (!step) return infinity;
-    length += *step;
+    if (!step) return {};
+    measured.length += *step;
   }
-  return length;
+  return measured;
 }
 
 AuditResult Witness::audited(double share, std::uint64_t seed) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "engine/surface/common_face.hpp"
 #include "geodrome/engine/audit.hpp"
 #include "geodrome/engine/plugin_host.hpp"
+#include "geodrome/lower_bounds.hpp"
 #include "geodrome/shortest_path_solver.hpp"
 
 namespace geodrome::bench {
@@ -29,6 +31,12 @@ class DeadlineContext final : public QuietContext {
   Clock::time_point end_;
 };
 
+/// A path, as its steps add up, plus the start distance of its source; and what its ends miss of the point that was
+/// asked for and of the source. Both +inf if there is no path or if it leaves the surface.
+struct MeasuredPath {
+  double length = std::numeric_limits<double>::infinity(), miss = length;
+};
+
 /// A solver on a mesh whose answers are checked: its distances, and the lengths of the paths it claims, which are added
 /// up here. Throws what the solver throws, Cancelled if a run takes longer than `seconds`.
 class Witness {
@@ -40,18 +48,26 @@ class Witness {
 
   /// Of the last run: distances at points, at all vertices, +inf where not reached.
   std::vector<double> at(std::span<const SurfacePoint> points) const;
+  /// Likewise what the solver states by the extension LowerBounds: what the distances are at least. Precondition:
+  /// `states_bounds`.
+  std::vector<double> lower_bounds(std::span<const SurfacePoint> points) const;
   std::span<const double> vertices() const { return map_->vertices(); }
   std::span<const Counter> counters() const { return map_->counters(); }
 
-  /// The length of the path from a point to its source, plus the source's start distance; what the ends of the path
-  /// miss the two by is added. +inf if there is no path or if it leaves the surface. Needs Keep::map.
-  double path_length(const SurfacePoint& from) const;
+  /// The path from a point to its source. Needs Keep::map.
+  MeasuredPath path(const SurfacePoint& from) const;
+  /// Its length and what its ends miss.
+  double path_length(const SurfacePoint& from) const {
+    const MeasuredPath measured = path(from);
+    return measured.length + measured.miss;
+  }
 
   /// The engine's audit of a share of the faces.
   AuditResult audited(double share, std::uint64_t seed) const;
 
   const SurfaceMesh& mesh() const { return *mesh_; }
   bool provides(Provides bits) const { return has(plugin_.info.provides, bits); }
+  bool states_bounds() const { return plugin_.extension<LowerBounds>() != nullptr; }
 
  private:
   Plugin<ShortestPathSolver> plugin_;
