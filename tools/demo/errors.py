@@ -20,12 +20,13 @@ DELTAS = ["1e-1", "1e-2", "1e-3", "1e-4", "1e-5"]
 MERGED = [f"merged_windows:delta={delta}" for delta in DELTAS]
 OTHERS = ["fast_marching", "heat"]
 EXACT = "chen_han"
-SOURCES = 3
+SOURCES = 5
 ROUNDING = 1e-12  # a relative error below this is none
 
 COLOURS = {"merged_windows": "#0072b2", "fast_marching": "#d55e00", "heat": "#117733"}
 INK, GREY, GRID = "#222", "#666", "#e4e4e4"
-PANEL, GAP, LEFT, TOP, COLUMNS = (252, 210), (30, 62), 64, 84, 3
+HALO = ' stroke="#fff" stroke-width="3" paint-order="stroke"'
+PANEL, GAP, LEFT, TOP, COLUMNS = (252, 224), (30, 62), 64, 84, 3
 
 
 def output_of(*command):
@@ -51,13 +52,13 @@ class Figures:
         self.measure_seconds(bin_folder, file)
 
     def measured_errors(self, bin_folder, file):
-        """Compares all vertices from sources that lie evenly among the rows."""
+        """Compares all vertices from sources spread evenly among the rows."""
         rows = int(json.loads(output_of(bin_folder / "geodrome", "check", file, "--json"))["input"]["rows"])
         sources = ",".join(str(rows * k // SOURCES) for k in range(SOURCES))
         solvers = [EXACT, *MERGED, *OTHERS]
         stage = "solver=" + ",".join(solvers)
-        command = [bin_folder / "geodrome", "compare", file, "--sources", sources, "--stage", stage, "--json", "--quiet"]
-        comparison = json.loads(output_of(*command))
+        command = ["compare", file, "--sources", sources, "--stage", stage, "--json", "--quiet"]
+        comparison = json.loads(output_of(bin_folder / "geodrome", *command))
         self.faces = comparison["input"]["faces"]
         return {each["name"]: self.errors_of(each, SOURCES * (rows - 1)) for each in comparison["combinations"]}
 
@@ -123,9 +124,9 @@ class Scales:
         return PANEL[0] * (math.log10(ratio) - self.first) / (self.last - self.first)
 
     def y(self, error):
-        """Returns the foot of the panel for an error of 0."""
-        share = (math.log10(error) - self.bottom) / (self.top - self.bottom) if error > ROUNDING else 0
-        return PANEL[1] * (1 - share)
+        """Returns the foot of the panel for an error of 0: a decade below the least power of ten."""
+        decades = math.log10(error) - self.bottom + 1 if error > ROUNDING else 0
+        return PANEL[1] * (1 - decades / (self.top - self.bottom + 1))
 
 
 def text(x, y, words, anchor="middle", colour=INK, more=""):
@@ -160,6 +161,8 @@ def frame(mesh, scales, in_first_column):
         yield line(0, y, width, y, GRID)
         if in_first_column:
             yield text(-8, y + 4, power(exponent), "end", GREY)
+    if in_first_column:
+        yield text(-8, height + 4, "0", "end", GREY)
     for decade, digit in itertools.product(range(-3, 6), (1, 2, 5)):
         ratio = digit * 10.0**decade / (1e3 * mesh.exact_seconds)
         if scales.first <= math.log10(ratio) <= scales.last:
@@ -170,7 +173,7 @@ def frame(mesh, scales, in_first_column):
 
 
 def labels(mesh, scales):
-    """Returns delta beside the points of merged windows; points that lie close together share a label."""
+    """Returns delta beside the points of merged windows: one label for close ones, none where it would cover others."""
     groups = []
     for delta, solver in zip(DELTAS, MERGED):
         y = scales.y(mesh.errors[solver][0])
@@ -178,12 +181,23 @@ def labels(mesh, scales):
             groups[-1][0].append(delta)
         else:
             groups.append(([delta], y, scales.x(mesh.ratios[solver])))
-    halo = ' stroke="#fff" stroke-width="3" paint-order="stroke"'
     for deltas, y, x in groups:
-        beside = x + 9
-        if beside - 4 < scales.x(1) < beside + 30 * len(deltas):  # not across the line of the exact solver
-            beside = scales.x(1) + 6
-        yield text(beside, y + 4, ", ".join(map(power_of, deltas)), "start", COLOURS["merged_windows"], halo)
+        middle, width = y - (8 if y == PANEL[1] else 0), 30 * len(deltas)
+        words = '<tspan dy="4">, </tspan>'.join(map(power_of, deltas))
+        begins = [x + 9, *([scales.x(1) + 6] if 0 < scales.x(1) - x < 60 else []), x - 9 - width]
+        begin = next((begin for begin in begins if is_free(mesh, scales, begin, width, middle)), None)
+        if begin is not None:
+            place, anchor = (x - 9, "end") if begin < x else (begin, "start")
+            yield text(place, middle + 4, words, anchor, COLOURS["merged_windows"], HALO)
+
+
+def is_free(mesh, scales, begin, width, y):
+    """Whether a label fits the panel and covers no mark of another solver, nor the line of the exact one."""
+    covers = begin - 4 < scales.x(1) < begin + width + 2
+    for solver in OTHERS:
+        x, (largest, mean) = scales.x(mesh.ratios[solver]), map(scales.y, mesh.errors[solver])
+        covers |= begin - 5 < x < begin + width + 5 and largest - 8 < y < mean + 12
+    return not covers and 0 <= begin and begin + width <= PANEL[0] + 4
 
 
 def power_of(delta):
@@ -207,13 +221,13 @@ def others(mesh, scales):
 
 
 def legend():
-    x = LEFT
-    for solver in ["merged_windows", *OTHERS]:
-        yield mark(solver, x + 5, 24, True) + mark(solver, x + 19, 24, False) + text(x + 31, 28, solver, "start")
-        x += 31 + 7.2 * len(solver) + 24
-    yield line(x, 24, x + 26, 24, INK, ' stroke-width="2" stroke-dasharray="6 4"')
-    yield text(x + 33, 28, f"{EXACT}, exact: its time, error 0", "start")
-    words = "Filled: largest, open: mean |D/d − 1| over all vertices. Powers of ten beside the line: delta."
+    for x, solver in zip((0, 162, 302), ["merged_windows", *OTHERS]):
+        yield mark(solver, LEFT + x + 5, 24, True) + mark(solver, LEFT + x + 19, 24, False)
+        yield text(LEFT + x + 31, 28, solver, "start")
+    yield line(LEFT + 388, 24, LEFT + 414, 24, INK, ' stroke-width="2" stroke-dasharray="6 4"')
+    yield text(LEFT + 421, 28, f"time of {EXACT}, whose error is 0", "start")
+    deltas = '<tspan dy="4"> to </tspan>'.join([power_of(DELTAS[0]), power_of(DELTAS[-1])])
+    words = f"Filled: largest, open: mean |D/d − 1| over all vertices. From the top down: delta = {deltas}"
     yield text(LEFT, 50, words, "start", GREY)
 
 
@@ -233,7 +247,7 @@ def picture(meshes):
         x, y = LEFT + column * (PANEL[0] + GAP[0]), TOP + row * (PANEL[1] + GAP[1])
         yield f'<g transform="translate({x} {y})">'
         yield from frame(mesh, scales, column == 0)
-        yield from itertools.chain(others(mesh, scales), curve(mesh, scales, 1), curve(mesh, scales, 0))
+        yield from itertools.chain(curve(mesh, scales, 1), others(mesh, scales), curve(mesh, scales, 0))
         yield from labels(mesh, scales)
         if row == rows - 1:
             yield text(PANEL[0] / 2, PANEL[1] + 38, "milliseconds of one query", colour=GREY)
