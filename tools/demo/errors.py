@@ -32,7 +32,8 @@ PANEL, GAP, LEFT, TOP, COLUMNS = (252, 224), (30, 62), 64, 84, 3
 def output_of(*command):
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True)
     if done.returncode:
-        sys.exit(f"{' '.join(map(str, command))}\nended with status {done.returncode}: {done.stderr.strip()}")
+        reasons = re.findall(r'"error": {[^}]*"(?:text|message)": "(.*)"', done.stdout) or [done.stderr.strip()]
+        sys.exit("\n".join([f"status {done.returncode} of {' '.join(map(str, command))}", *reasons]))
     return done.stdout
 
 
@@ -65,11 +66,12 @@ class Figures:
     def errors_of(self, combination, places):
         what = f"{self.name}: the error of {combination['name']}"
         if combination["error"]:
-            sys.exit(f"{what} is missing: {combination['error']}")
+            sys.exit(f"{what} is missing: {combination['error']['text']}")
         errors = combination["errors"]
         if errors["compared"] != places:
             sys.exit(f"{what} is missing at {places - errors['compared']} of {places} vertices")
-        return figure(max(errors["max_over"], errors["max_under"]), what), figure(errors["mean"], what)
+        largest = max(figure(errors[name], what) for name in ("max_over", "max_under"))
+        return largest, figure(errors["mean"], what)
 
     def measure_seconds(self, bin_folder, file):
         """Takes ratios within one run, since a busy machine hardly changes them; one exact time scales them all."""
@@ -94,6 +96,8 @@ def mesh_file(bin_folder, mesh, scratch):
     """Returns the name of a mesh, and its file, which is made for a shape."""
     if not mesh.startswith("shape:"):
         return pathlib.Path(mesh).stem, mesh
+    if mesh.count(":") != 2:
+        sys.exit(f"{mesh}: write shape:KIND:FACES")
     _, kind, faces = mesh.split(":")
     file = f"{scratch}/{kind}.ply"
     output_of(bin_folder / "geodrome", "shape", kind, "--mesh", "--faces", faces, "-o", file)
@@ -118,7 +122,7 @@ class Scales:
         errors = [e for mesh in meshes for pair in mesh.errors.values() for e in pair if e > ROUNDING]
         self.bottom, self.top = math.floor(math.log10(min(errors))), math.ceil(math.log10(max(errors)))
         ratios = [1, *itertools.chain(*(mesh.ratios.values() for mesh in meshes))]
-        self.first, self.last = math.log10(min(ratios)) - 0.12, math.log10(max(ratios)) + 0.12
+        self.first, self.last = math.log10(min(ratios)) - 0.12, math.log10(max(ratios)) + 0.3
 
     def x(self, ratio):
         return PANEL[0] * (math.log10(ratio) - self.first) / (self.last - self.first)
@@ -165,7 +169,7 @@ def frame(mesh, scales, in_first_column):
         yield text(-8, height + 4, "0", "end", GREY)
     for decade, digit in itertools.product(range(-3, 6), (1, 2, 5)):
         ratio = digit * 10.0**decade / (1e3 * mesh.exact_seconds)
-        if scales.first <= math.log10(ratio) <= scales.last:
+        if scales.first <= math.log10(ratio) <= scales.last - 0.03:
             yield line(scales.x(ratio), 0, scales.x(ratio), height, GRID)
             yield text(scales.x(ratio), height + 16, f"{digit * 10.0**decade:g}", colour=GREY)
     yield line(0, height, width, height, GREY)
@@ -239,7 +243,7 @@ def picture(meshes):
     height = TOP + rows * (PANEL[1] + GAP[1]) - 14
     yield f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" width="{width}" height="{height}" '
     yield 'font-family="system-ui, Helvetica, Arial, sans-serif" font-size="13">'
-    yield "<title>Errors of approximate distances against processor time, on six meshes</title>"
+    yield "<title>Errors of approximate distances against processor time</title>"
     yield f'<rect width="{width}" height="{height}" fill="#fff"/>'
     yield from legend()
     for index, mesh in enumerate(meshes):
