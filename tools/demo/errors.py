@@ -15,6 +15,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import textwrap
 
 DELTAS = ["1e-1", "1e-2", "1e-3", "1e-4", "1e-5"]
 MERGED = [f"merged_windows:delta={delta}" for delta in DELTAS]
@@ -266,7 +267,8 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         meshes = [Figures(bin_folder, mesh, scratch) for mesh in sys.argv[3:]]
     print("\n".join(table(meshes)))
-    pathlib.Path(sys.argv[2]).write_text("\n".join(picture(meshes)) + "\n")
+    lines = (textwrap.fill(line, 116, break_long_words=False, break_on_hyphens=False) for line in picture(meshes))
+    pathlib.Path(sys.argv[2]).write_text("\n".join(lines) + "\n")
 
 
 if __name__ == "__main__":
