@@ -58,9 +58,11 @@ struct Generator {
   bool has_left(double px, double py) const { return low_x * (py - y) - low_y * (px - x) < 0; }
   bool has_right(double px, double py) const { return high_x * (py - y) - high_y * (px - x) > 0; }
 
-  /// Tell whether a ray meets the half-edge beyond a place, by more than rounding.
-  bool passes_low(double place) const { return low_y * (place - x) + low_x * y > rounding(place); }
-  bool passes_high(double place) const { return high_y * (x - place) - high_x * y > rounding(place); }
+  /// Tell whether a ray meets the half-edge beyond a place, by more than rounding of places. A ray that climbs little
+  /// is near a place far beyond which it meets the half-edge: if the end of that is on the next edge too, as in a face
+  /// without area, only the place tells that the ray passes it.
+  bool passes_low(double place) const { return low_y * (place - x) + low_x * y > rounding(place, low_y); }
+  bool passes_high(double place) const { return high_y * (x - place) - high_x * y > rounding(place, high_y); }
 
   /// Tells whether the image lies on the line of a half-edge of `length`, beyond an end of it, up to rounding: its rays
   /// cross the half-edge at no place, however wide the wedge.
@@ -96,6 +98,8 @@ struct Generator {
   double rounding(double place) const {
     return 2 * std::numeric_limits<double>::epsilon() * (std::abs(place) + std::abs(x) + std::abs(y));
   }
+  /// Returns the rounding of a place as the distance from a ray with this climb that meets the half-edge there.
+  double rounding(double place, double dy) const { return climbs(dy) ? dy * rounding(place) : rounding(place); }
   /// Tells whether a point is reached that is at distance `beyond` from a ray, on its outer side if positive.
   bool is_reached(double beyond, double dx, double dy, double px, double py) const {
     constexpr double too_far = 1e-7;  // for its square, at least by which the bent way is longer, to be rounding
