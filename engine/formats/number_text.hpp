@@ -18,4 +18,10 @@ inline std::string number_text(double value) {
   return text;
 }
 
+/// A number of so many significant digits, without zeros at its end; 1e+06 where it has more digits than these.
+inline std::string rounded_text(double value, int digits) {
+  char buffer[64];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::general, digits).ptr};
+}
+
 }  // namespace geodrome

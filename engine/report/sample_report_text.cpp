@@ -6,6 +6,7 @@
 #include <iterator>
 #include <ostream>
 
+#include "engine/formats/number_text.hpp"
 #include "engine/formats/text.hpp"
 #include "engine/formats/text_stream.hpp"
 #include "engine/report/sample_report.hpp"
@@ -182,10 +183,8 @@ const char* word(Practice::Verdict verdict) {
 }
 
 std::string text_of(const SurfacePart& part) {
-  char share[32];
-  std::snprintf(share, sizeof share, "%.3g %%", 100 * part.share());
-  return std::to_string(part.points) + " of " + counted(part.sample, "point", "points") + " (" + share +
-         "), around row " + std::to_string(part.row);
+  return std::to_string(part.points) + " of " + counted(part.sample, "point", "points") + " (" +
+         rounded_text(100 * part.share(), 3) + " %), around row " + std::to_string(part.row);
 }
 
 std::vector<std::string> lines_of(const std::vector<WorstPlace>& worst) {

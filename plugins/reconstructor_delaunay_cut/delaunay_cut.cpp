@@ -2,8 +2,8 @@
 #include "plugins/reconstructor_delaunay_cut/delaunay_cut.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numeric>
 #include <utility>
 
@@ -178,8 +178,9 @@ class Reconstructing {
     const auto relative = [&](Index p) { return cells.radius(p) / kept_.psi[p]; };
     std::stable_sort(worst.begin(), worst.end(), [&](Index a, Index b) { return relative(a) > relative(b); });
     char share_text[16];
-    std::snprintf(share_text, sizeof share_text, "%.1f", 100 * stars.inconsistent);
-    const std::string share = share_text;
+    const std::string share(share_text, std::to_chars(share_text, share_text + sizeof share_text,
+                                                      100 * stars.inconsistent, std::chars_format::fixed, 1)
+                                            .ptr);
     if (stars.inconsistent > note_stars)
       add(stars.inconsistent > warn_stars ? Finding::Severity::warning : Finding::Severity::note, "inconsistent_stars",
           share +

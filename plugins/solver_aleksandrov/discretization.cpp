@@ -2,8 +2,8 @@
 #include "plugins/solver_aleksandrov/discretization.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
@@ -29,8 +29,7 @@ double edges(const IntrinsicTriangulation& triangulation, const Settings& settin
 
 std::string shown(double count) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3g", count);
-  return text;
+  return {text, std::to_chars(text, text + sizeof text, count, std::chars_format::general, 3).ptr};
 }
 
 /// Options that are in use already help no more.

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/checks/rounding_scale.hpp"
+#include "engine/formats/number_text.hpp"
 
 namespace geodrome {
 
@@ -24,11 +24,10 @@ struct Excess {
 };
 
 std::string words(const Excess& excess, const DistanceRows& distances, const DistanceRows& truth, const char* what) {
-  char text[200];
-  std::snprintf(text, sizeof text, "%llu distances are %s: the worst from source %zu to row %zu, %.10g for %.10g",
-                static_cast<unsigned long long>(excess.broken), what, excess.source, excess.target,
-                distances[excess.source][excess.target], truth[excess.source][excess.target]);
-  return text;
+  return std::to_string(excess.broken) + " distances are " + what + ": the worst from source " +
+         std::to_string(excess.source) + " to row " + std::to_string(excess.target) + ", " +
+         rounded_text(distances[excess.source][excess.target], 10) + " for " +
+         rounded_text(truth[excess.source][excess.target], 10);
 }
 
 /// What there is to be judged; empty if something is.

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "engine/formats/number_text.hpp"
 #include "engine/formats/text_stream.hpp"
@@ -23,23 +22,21 @@ struct Column {
   std::string (*cell)(const CombinationFigures&);
 };
 
-std::string number(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*g", digits, value);
-  return text;
-}
-
-std::string seconds(double value) { return number(value, 3); }
+std::string seconds(double value) { return rounded_text(value, 3); }
 
 std::string megabytes(const std::optional<std::uint64_t>& bytes) {
   if (!bytes) return nothing;
   const double value = static_cast<double>(*bytes) / 1e6;
-  return value < 1000 ? number(value, 3) : std::to_string(std::lround(value));
+  return value < 1000 ? rounded_text(value, 3) : std::to_string(std::lround(value));
 }
 
-std::string mean_of(const ErrorSummary& summary) { return summary.compared > 0 ? number(summary.mean, 2) : nothing; }
+std::string mean_of(const ErrorSummary& summary) {
+  return summary.compared > 0 ? rounded_text(summary.mean, 2) : nothing;
+}
 
-std::string max_of(const ErrorSummary& summary) { return summary.compared > 0 ? number(summary.max, 2) : nothing; }
+std::string max_of(const ErrorSummary& summary) {
+  return summary.compared > 0 ? rounded_text(summary.max, 2) : nothing;
+}
 
 std::string guarantee_text(const CombinationFigures& combination) {
   const GuaranteeFigures& guarantee = combination.guarantee;
@@ -61,7 +58,7 @@ std::string invariants_text(const CombinationFigures& combination) {
 }
 
 std::string certified_text(const CombinationFigures& combination) {
-  return combination.certified ? number(combination.certified->largest, 2) : nothing;
+  return combination.certified ? rounded_text(combination.certified->largest, 2) : nothing;
 }
 
 constexpr Column columns[] = {
@@ -130,7 +127,7 @@ void print_notes(const ComparisonFigures& figures, std::ostream& out) {
     out << "certified: what D can be off by at most, of the distance, by the solver's own lower bounds\n";
   for (const ComparedSource& source : figures.sources)
     if (source.off_surface > 0)
-      out << "source " << source.entry << ": " << number(source.off_surface, 4)
+      out << "source " << source.entry << ": " << rounded_text(source.off_surface, 4)
           << " off the surface; its closest surface point is taken\n";
   for (const CombinationFigures& combination : figures.combinations) {
     if (!combination.ran()) continue;

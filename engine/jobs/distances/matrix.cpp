@@ -2,7 +2,7 @@
 #include "engine/jobs/distances/matrix.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
 #include <functional>
 
 #include "engine/checks/matrix_view.hpp"
@@ -21,22 +21,21 @@ namespace {
 /// Above this size a matrix is computed only with consent.
 constexpr std::uint64_t consent_bytes = 4'000'000'000;
 
-std::string printed(const char* format, double value) {
+std::string fixed(double value, int decimals) {
   char buffer[64];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr};
 }
 
 std::string size_text(std::uint64_t bytes) {
   const auto value = static_cast<double>(bytes);
-  if (value >= 1e9) return printed("%.2f GB", value / 1e9);
-  return value >= 1e6 ? printed("%.1f MB", value / 1e6) : printed("%.1f kB", value / 1e3);
+  if (value >= 1e9) return fixed(value / 1e9, 2) + " GB";
+  return value >= 1e6 ? fixed(value / 1e6, 1) + " MB" : fixed(value / 1e3, 1) + " kB";
 }
 
 std::string time_text(double seconds) {
   if (seconds < 1) return "under a second";
-  if (seconds < 120) return printed("about %.0f s", seconds);
-  return seconds < 7200 ? printed("about %.0f min", seconds / 60) : printed("about %.1f h", seconds / 3600);
+  if (seconds < 120) return "about " + fixed(seconds, 0) + " s";
+  return "about " + (seconds < 7200 ? fixed(seconds / 60, 0) + " min" : fixed(seconds / 3600, 1) + " h");
 }
 
 void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t missing, double row_seconds,
