@@ -254,6 +254,7 @@ function result_of(kind, surface, from, growth) {
     reach_differs: kind.never_shorter ? 0 : 2,
     unreachable: from.length * (surface.positions.length - surface.torus.length),
     invariants: invariants_of(kind),
+    ...(kind.factor > 1 && { certified: { largest: kind.factor - 1, mean: (kind.factor - 1) / 2, worst: 0 } }),
     guarantee: {
       stated: kind.factor,
       worst: kind.factor === null ? null : 1.0003,

@@ -98,6 +98,20 @@ test("details stay with their row when it is sorted elsewhere", () =>
     assert.ok(await page.locator("#details-2").isVisible());
   }));
 
+test("what a solver certifies is told in its details, of no other solver", () =>
+  with_page(data, async (page) => {
+    for (const [place, { certified }] of ran.entries()) {
+      await row(page, place).locator("button.toggle").click();
+      const text = await page.locator(`#details-${place}`).textContent();
+      const said = /off by at most (\S+) of themselves, (\S+) in the mean/.exec(text);
+      assert.equal(said !== null, certified !== undefined, ran[place].name);
+      if (!said) continue;
+      for (const [i, value] of [certified.largest, certified.mean].entries())
+        assert.ok(Math.abs(read(said[i + 1]) - value) <= 0.0051 * value, `${said[i + 1]} for ${value}`);
+    }
+    assert.ok(ran.some(({ certified }) => certified));
+  }));
+
 test("what did not run shows its error and status", () =>
   with_page(data, async (page) => {
     const last = data.combinations.at(-1);

@@ -50,7 +50,7 @@ function error_rows({ errors }: Result): Row[] {
 }
 
 export function details(result: Result, source_names: string[]): HTMLElement {
-  const { guarantee, invariants, counters, seconds } = result;
+  const { certified, guarantee, invariants, counters, seconds } = result;
   const reason = guarantee.why + (guarantee.worst === null ? "" : ` (worst factor seen: ${exactly(guarantee.worst)})`);
   return element(
     "div",
@@ -63,6 +63,15 @@ export function details(result: Result, source_names: string[]): HTMLElement {
         ? "The solver states that no distance is below the true one."
         : "The solver may err to both sides.",
     ),
+    certified
+      ? element(
+          "p",
+          {},
+          element("strong", {}, "Certified: "),
+          `by its own lower bounds, distances are off by at most ${figure(certified.largest)} of themselves, ` +
+            `${figure(certified.mean)} in the mean.`,
+        )
+      : null,
     element(
       "div",
       { class: "blocks" },

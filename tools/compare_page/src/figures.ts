@@ -46,6 +46,8 @@ export interface Result {
   reach_differs: number;
   unreachable: number;
   invariants: Invariant[];
+  /** What distances can be off by, of themselves, by the solver's own lower bounds; only if it states them. */
+  certified?: { largest: number | null; mean: number | null; worst: number | null };
   guarantee: { stated: number | null; worst: number | null; held: boolean | null; why: string };
   counters: Record<string, number>;
   growth: GrowthStep[];
