@@ -42,7 +42,9 @@ void RowAudit::hear(std::uint64_t source, const SourceSurface& on, std::span<con
   const std::lock_guard lock(mutex_);
   if (std::ranges::find(chosen_, source) != chosen_.end()) heard_[source].assign(vertices.begin(), vertices.end());
   result_.searches += promised;
-  result_.found.add(found);
+  // Of searches that are as bad the first in the list, whichever thread was faster.
+  if (found.worst > worst_search_.worst || (found.worst == worst_search_.worst && source < worst_source_))
+    worst_search_ = found, worst_source_ = source;
 }
 
 void RowAudit::judge_row(std::size_t source, std::span<const double> row, double rounding, std::uint64_t seed,
@@ -73,6 +75,7 @@ RowsAudit RowAudit::judge(std::span<const std::vector<double>> rows, double roun
     context.throw_if_cancelled();
     context.progress((k + 1.0) / static_cast<double>(chosen_.size()));
   }
+  result_.found.add(worst_search_);
   result_.seconds = watch.seconds();
   return std::move(result_);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <limits>
 #include <map>
 #include <mutex>
 #include <string>
@@ -49,6 +50,8 @@ class RowAudit {
   std::vector<std::size_t> chosen_;
   std::mutex mutex_;
   std::map<std::size_t, std::vector<double>> heard_;  // of the chosen sources
+  DistanceAudit worst_search_;                        // of all that were heard
+  std::uint64_t worst_source_ = std::numeric_limits<std::uint64_t>::max();
   RowsAudit result_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "tests/support/program.hpp"
@@ -165,12 +166,15 @@ TEST_F(NearestAudit, LooksAtEverySearchOfAMatrix) {
                                   "--threads", threads, "--report", file("r.json"), "--solver", "faulty_none",
                                   "--plugin-path", GEODROME_BINARY_DIR "/tests/faulty_solvers"});
   };
-  for (const char* threads : {"1", "2"}) {
+  std::set<std::string> where;
+  for (const char* threads : {"1", "2", "3"}) {
     ASSERT_EQ(rows(threads).status, 0);
+    where.insert(report()["audit"]["where_row"]);
     EXPECT_EQ(report()["audit"]["searches"], 10);
     EXPECT_EQ(report()["audit"]["sources"], json({"0", "50", "90"}));
     EXPECT_EQ(report()["audit"]["from_targets"], 3);
   }
+  EXPECT_EQ(where.size(), 1u) << "it does not depend on the threads";
 }
 
 TEST_F(NearestAudit, WhatNoGuaranteeCoversIsSaidNotToBeAudited) {
