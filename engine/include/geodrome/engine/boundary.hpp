@@ -30,7 +30,7 @@ inline constexpr const char* out_of_memory_remedy = "ask for less, or use a mach
 /// was running on that thread (or else, for a thread that a plugin started, on any), and what to do, to standard error
 /// and end the process with status 5 (1 if no plugin was running; 4 for std::terminate where memory ran out). Also told
 /// are stack overflows on threads that enter plugins through `cross_boundary`. For programs, not for libraries: call it
-/// once in main.
+/// once, in main or before the objects that are made ahead of main.
 void install_crash_handlers() noexcept;
 
 /// Runs `function`, which calls into `plugin`: the only way the engine does so. A geodrome::Error keeps its type and
