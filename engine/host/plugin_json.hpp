@@ -28,6 +28,12 @@ inline std::uint64_t whole_from_json(const nlohmann::json& json) {
   return json.get_ref<const nlohmann::json::number_unsigned_t&>();
 }
 
+/// Throws nlohmann's exceptions for a number that is none of the types.
+inline OptionType type_from_json(const nlohmann::json& json) {
+  static const nlohmann::json types{OptionType::boolean, OptionType::integer, OptionType::number, OptionType::choice};
+  return types.at(whole_from_json(json)).get<OptionType>();
+}
+
 inline void to_json(nlohmann::json& json, const OptionInfo& option) {
   json = {{"name", option.name},
           {"type", static_cast<std::uint32_t>(option.type)},
@@ -41,7 +47,7 @@ inline void to_json(nlohmann::json& json, const OptionInfo& option) {
 
 inline void from_json(const nlohmann::json& json, OptionInfo& option) {
   json.at("name").get_to(option.name);
-  option.type = static_cast<OptionType>(whole_from_json(json.at("type")));
+  option.type = type_from_json(json.at("type"));
   json.at("default").get_to(option.default_value);
   option.minimum = number_from_json(json.at("minimum"));
   option.maximum = number_from_json(json.at("maximum"));

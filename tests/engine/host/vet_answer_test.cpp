@@ -53,6 +53,24 @@ TEST(VetAnswer, IsNoneWhereANumberIsNone) {
   EXPECT_THROW(read(bad), json::exception);
 }
 
+TEST(VetAnswer, IsNoneWhereTheTypeOfAnOptionIsNone) {
+  json good = answer();
+  good["plugin"]["options"].push_back({{"name", "rule"},
+                                       {"type", 3},
+                                       {"default", "fast"},
+                                       {"minimum", 0},
+                                       {"maximum", 0},
+                                       {"choices", "fast|exact"},
+                                       {"unit", ""},
+                                       {"help", "h"}});
+  EXPECT_EQ(read(good).options.at(0).type, OptionType::choice);
+  for (const json& type : {json(4), json(1ULL << 32U), json(-1), json("choice")}) {
+    json bad = good;
+    bad["plugin"]["options"][0]["type"] = type;
+    EXPECT_THROW(read(bad), json::exception) << type;
+  }
+}
+
 TEST(VetAnswer, OfAnotherVersionIsRefusedNamingBoth) {
   json other = answer();
   other["interface_version"] = 7;
