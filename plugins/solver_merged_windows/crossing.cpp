@@ -50,8 +50,8 @@ void Propagation::cross_alone(const Apex& apex, const Window& window) {
   else
     lower_apex_bent(apex, window, left ? window.high : window.low);
   lower_along_edges(apex);
-  if (left && !apex.left_is_boundary()) hand_on_alone(carried_left(apex, window, right), apex, apex.c);
-  if (right && !apex.right_is_boundary()) hand_on_alone(carried_right(apex, window, left), apex, apex.b);
+  if (left && !apex.left_is_boundary()) send_left(apex, window, right);
+  if (right && !apex.right_is_boundary()) send_right(apex, window, left);
 }
 
 void Propagation::cross(const Apex& apex) {
@@ -154,33 +154,32 @@ void Propagation::enter(Window& window, Entry entry) const {
   if (window.depth > 2 * deepest_merge_) window.high = window.low;
 }
 
-/// The lines of a window to the left of the apex; with `clipped` it also has lines to the apex, or beyond it.
-Window Propagation::carried_left(const Apex& apex, const Window& window, bool clipped) const {
+/// Makes `child` the lines of a window to the left of the apex; with `clipped` it also has lines to the apex, or beyond
+/// it.
+void Propagation::carry_left(const Apex& apex, const Window& window, bool clipped, Window& child) const {
   const Turn turn = turn_left(apex);
   const TurnedImage<double> image(turn, window.x, window.y);
-  Window child = window;
+  child = window;
   child.x = image.x(), child.y = image.y();
   child.low = image.low(window.low), child.high = clipped ? turn.limit : image.high(window.high);
   enter(child, Entry::left);
-  return child;
 }
 
-/// The lines to the right of the apex.
-Window Propagation::carried_right(const Apex& apex, const Window& window, bool clipped) const {
+/// The same with the lines to the right of the apex.
+void Propagation::carry_right(const Apex& apex, const Window& window, bool clipped, Window& child) const {
   const Turn turn = turn_right(apex);
   const TurnedImage<double> image(turn, window.x, window.y);
-  Window child = window;
+  child = window;
   child.x = image.x(), child.y = image.y();
   child.low = clipped ? 0 : image.low(window.low), child.high = image.high(window.high);
   enter(child, Entry::right);
-  return child;
 }
 
 /// Windows from `clipped` on also have lines to the apex, or beyond it.
 void Propagation::carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
   if (windows.empty() || apex.left_is_boundary()) return;
   child_.clear();
-  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_left(apex, windows[i], i >= clipped));
+  for (std::size_t i = 0; i < windows.size(); ++i) carry_left(apex, windows[i], i >= clipped, child_.emplace_back());
   send(apex.left());
 }
 
@@ -188,7 +187,7 @@ void Propagation::carry_left(const Apex& apex, std::span<const Window> windows, 
 void Propagation::carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped) {
   if (windows.empty() || apex.right_is_boundary()) return;
   child_.clear();
-  for (std::size_t i = 0; i < windows.size(); ++i) child_.push_back(carried_right(apex, windows[i], i < clipped));
+  for (std::size_t i = 0; i < windows.size(); ++i) carry_right(apex, windows[i], i < clipped, child_.emplace_back());
   send(apex.right());
 }
 
@@ -208,14 +207,28 @@ void Propagation::send(Index edge) {
   hand_on(std::span(all).first(end), edge);
 }
 
-/// What `send` and `hand_on` do, for a single window that left through edge i of the face.
-void Propagation::hand_on_alone(const Window& window, const Apex& apex, int i) {
+void Propagation::send_left(const Apex& apex, const Window& window, bool clipped) {
+  const Index child = wavefront_.pool().add();
+  carry_left(apex, window, clipped, wavefront_.pool()[child]);
+  hand_on_alone(child, apex, apex.c);
+}
+
+void Propagation::send_right(const Apex& apex, const Window& window, bool clipped) {
+  const Index child = wavefront_.pool().add();
+  carry_right(apex, window, clipped, wavefront_.pool()[child]);
+  hand_on_alone(child, apex, apex.b);
+}
+
+/// What `send` and `hand_on` do, for a single window, which stands in the pool, that left through edge i of the face.
+void Propagation::hand_on_alone(Index child, const Apex& apex, int i) {
   const PackedMesh::Across across = PackedMesh::only_across(apex.face, i);
+  const Window& window = wavefront_.pool()[child];
   if (across.half_edge != no_index && !window.empty() && !is_close(window, apex.face.length[i])) {
-    counts_.created += wavefront_.push_alone(window, across, apex.face.length[i], limit_);
+    counts_.created += wavefront_.push_alone(child, across, apex.face.length[i], limit_);
     return;
   }
   child_.assign(1, window);
+  wavefront_.pool().release(child);
   send(apex.half_edge / 3 * 3 + static_cast<Index>(i));
 }
 
@@ -233,7 +246,8 @@ void Propagation::hand_on(std::span<const Window> run, Index edge) {
   }
   const Window window = run[0];
   surface_.for_each_across(edge, [&](Index half_edge, bool is_mirrored) {
-    WindowList present = std::exchange(list_, {is_mirrored ? mirrored(window, surface_.length(edge)) : window});
+    WindowList present = std::exchange(list_, {window});
+    if (is_mirrored) mirror(list_[0], surface_.length(edge));
     ++counts_.created;
     pass(half_edge);
     list_ = std::move(present);  // where it was in memory: a pass may be going on there

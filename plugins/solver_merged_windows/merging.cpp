@@ -2,6 +2,7 @@
 #include "plugins/solver_merged_windows/merging.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "plugins/common/exact/bisector.hpp"
@@ -22,7 +23,49 @@ constexpr double rounding_of_l = 1e-15, rounding_of_u = 1e-14;
 /// Two windows have no gap between them up to this share of their half-edge.
 constexpr double no_gap = 1e-14;
 
+/// Whether a merge, for which the slack has to grow by about `more`, takes no more than it may.
+bool pays(double slack, double more, double most_slack) {
+  return slack + more <= slack + share_of_slack * (most_slack - slack);
+}
+
 }  // namespace
+
+Merging::Seam::Seam(const Pair& pair) {
+  const Two place = both(pair.high.v[0], pair.low.v[1]), reach = pair.reach(place);
+  l = pair.sigma + reach, slope = (place - pair.x) / reach;
+}
+
+Merging::Seam::Seam(const Ends& left, const Ends& right)
+    : l(both(left.l_high, right.l_low)), slope(both(left.slope_high, right.slope_low)) {}
+
+/// What the seam costs a group grows with the group, and what a merge may take does not: L at the ends of a group is at
+/// most that at the seam and the way along the half-edge.
+bool Merging::is_hopeless(const Window& left, const Window& right, double length, const Seam& seam) {
+  if (!touch(left, right, length)) return true;
+  const double place = right.low, width = right.high - left.low, slack = std::max(left.slack, right.slack);
+  const double kink = std::abs(seam.slope.v[0] - seam.slope.v[1]) * (place - left.low) * (right.high - place);
+  const double most = delta_ * 0.5 * (seam.l.v[0] + seam.l.v[1]) * (1 + 1e-9);
+  if (pays(slack, kink / width, most)) return false;
+  ++counts_.tried;
+  return true;
+}
+
+bool Merging::merge_two(std::array<Window, 2>& windows, const Edge& edge, const Seam& seam) {
+  if (!(edge.sine > 0)) return false;
+  auto& [left, right] = windows;
+  const Pair pair(left, right);
+  const Two place = both(left.low, right.high), reach = pair.reach(place);
+  const Two l = pair.sigma + reach, slope = (place - pair.x) / reach;
+  const std::array<Ends, 2> ends{{{l.v[0], seam.l.v[0], reach.v[0] > 0 ? slope.v[0] : -1, seam.slope.v[0]},
+                                  {seam.l.v[1], l.v[1], seam.slope.v[1], reach.v[1] > 0 ? slope.v[1] : 1}}};
+  ++counts_.tried;
+  Window window;
+  if (!merged(windows, ends.data(), edge, window)) return false;
+  ++counts_.done;
+  window.depth = std::max<std::uint32_t>(left.depth, right.depth) & Window::deepest;
+  left = window;
+  return true;
+}
 
 void Merging::list_ends(std::span<const Window> windows) {
   ends_.resize(windows.size());
@@ -35,9 +78,8 @@ void Merging::list_ends(std::span<const Window> windows) {
 }
 
 /// A source inside the face below may be nearer than a corner that would have to be cut.
-bool Merging::touch(const Window& left, const Window& right, const Edge& edge) {
-  return edge.sine > 0 && !left.from_face_below && !right.from_face_below &&
-         std::abs(right.low - left.high) <= no_gap * edge.length;
+bool Merging::touch(const Window& left, const Window& right, double length) {
+  return !left.from_face_below && !right.from_face_below && std::abs(right.low - left.high) <= no_gap * length;
 }
 
 /// Finds the end of the longest group of at most `most` windows from `first` on that become one, `window`; first + 1 if
@@ -74,7 +116,7 @@ bool Merging::merged(std::span<const Window> windows, const Ends* ends, const Ed
     kinks += std::abs(ends[i - 1].slope_high - ends[i].slope_low) * (place - low) * (high - place);
   }
   const double most = delta_ * 0.5 * (first.l_low + last.l_high - width);
-  if (!(slack + kinks / width <= slack + share_of_slack * (most - slack))) return false;
+  if (!pays(slack, kinks / width, most)) return false;
 
   double r = farthest_image * (edge.length + first.l_low);
   const double below_first = rise - first.slope_low * width, above_last = last.slope_high * width - rise;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "plugins/solver_merged_windows/pair.hpp"
 #include "plugins/solver_merged_windows/window.hpp"
 
 namespace geodrome::merged_windows {
@@ -14,6 +16,8 @@ namespace geodrome::merged_windows {
 /// the slack stays within `delta` times L. PROOF.md shows that then every vertex v has a value l(v), the least L, with
 /// l(v) <= d(v) <= D(v) <= (1 + delta) l(v). One per thread.
 class Merging {
+  struct Ends;
+
  public:
   struct Counts {
     std::uint64_t tried = 0, done = 0;
@@ -35,7 +39,8 @@ class Merging {
   void merge(std::vector<Window>& windows, const Edge& edge, MayJoin&& may_join, OnMerge&& on_merge) {
     list_ends(windows);
     for (std::size_t i = 0; i + 1 < windows.size(); ++i)
-      ends_[i].joins_next = touch(windows[i], windows[i + 1], edge) && may_join(windows[i], windows[i + 1]);
+      ends_[i].joins_next = edge.sine > 0 && may_join(windows[i], windows[i + 1]) &&
+                            !is_hopeless(windows[i], windows[i + 1], edge.length, Seam(ends_[i], ends_[i + 1]));
     std::size_t done = 0;
     for (std::size_t first = 0, most = windows.size(); first < windows.size();) {
       Window window;
@@ -47,6 +52,18 @@ class Merging {
     }
     windows.resize(done);
   }
+
+  /// L and its slope where two neighbours meet.
+  struct Seam {
+    Two l, slope;
+
+    explicit Seam(const Pair& pair);
+    Seam(const Ends& left, const Ends& right);
+  };
+  /// Whether two neighbours cannot get into one group: L bends too much at their seam, or they do not touch.
+  bool is_hopeless(const Window& left, const Window& right, double length, const Seam& seam);
+  /// What `merge` does with two neighbours that may join; false if they do not become one, the first.
+  bool merge_two(std::array<Window, 2>& windows, const Edge& edge, const Seam& seam);
 
   const Counts& counts() const { return counts_; }
   void reset() { counts_ = {}; }
@@ -77,7 +94,7 @@ class Merging {
   };
 
   void list_ends(std::span<const Window> windows);
-  static bool touch(const Window& left, const Window& right, const Edge& edge);
+  static bool touch(const Window& left, const Window& right, double length);
   std::size_t group_from(std::span<const Window> windows, std::size_t first, std::size_t most, const Edge& edge,
                          Window& window);
   bool merged(std::span<const Window> windows, const Ends* ends, const Edge& edge, Window& window) const;

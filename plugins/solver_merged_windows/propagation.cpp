@@ -94,11 +94,14 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double,
 /// Carries on what waits at a half-edge, as one list.
 void Propagation::process(Index half_edge, Index window) {
   WindowPool& pool = wavefront_.pool();
-  const bool alone = pool[window].next == no_index;
-  if (alone && !keep_ && watched_.empty() && !surface_.is_fan(half_edge)) {
-    const Window present = pool[window];
-    pool.release(window);
-    return pass_alone(half_edge, present);
+  const Index second = pool[window].next;
+  if (!keep_ && watched_.empty() && !surface_.is_fan(half_edge)) {
+    if (second == no_index) {
+      const Window present = pool[window];
+      pool.release(window);
+      return pass_alone(half_edge, present);
+    }
+    if (pool[second].next == no_index && process_two(half_edge, window, second)) return;
   }
   list_.clear();
   gather(window);

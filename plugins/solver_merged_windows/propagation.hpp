@@ -12,6 +12,7 @@
 #include "plugins/common/exact/vertex_propagation.hpp"
 #include "plugins/solver_merged_windows/kept_windows.hpp"
 #include "plugins/solver_merged_windows/merging.hpp"
+#include "plugins/solver_merged_windows/pair.hpp"
 #include "plugins/solver_merged_windows/settings.hpp"
 #include "plugins/solver_merged_windows/trimming.hpp"
 #include "plugins/solver_merged_windows/upper_bounds.hpp"
@@ -106,6 +107,11 @@ class Propagation : public VertexPropagation<Propagation, LabelStep> {
   void keep_carried();
   void lower_watched(Index half_edge);
 
+  bool process_two(Index half_edge, Index first, Index second);
+  void pass_two(Index half_edge, std::array<Window, 2>& windows);
+  void cross_two(const Apex& apex, const Window& left, const Window& right, const Pair& pair);
+  void send_two(Index left, Index right, const Apex& apex, int i);
+
   void pass_alone(Index half_edge, const Window& window);
   bool is_needless(const Window& window, const Apex& apex) const;
   void cross_alone(const Apex& apex, const Window& window);
@@ -120,11 +126,13 @@ class Propagation : public VertexPropagation<Propagation, LabelStep> {
   void carry_one_by_one(const Apex& apex);
   void carry_left(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
   void carry_right(const Apex& apex, std::span<const Window> windows, std::size_t clipped);
-  Window carried_left(const Apex& apex, const Window& window, bool clipped) const;
-  Window carried_right(const Apex& apex, const Window& window, bool clipped) const;
+  void carry_left(const Apex& apex, const Window& window, bool clipped, Window& child) const;
+  void carry_right(const Apex& apex, const Window& window, bool clipped, Window& child) const;
+  void send_left(const Apex& apex, const Window& window, bool clipped);
+  void send_right(const Apex& apex, const Window& window, bool clipped);
   void enter(Window& window, Entry entry) const;
   void send(Index edge);
-  void hand_on_alone(const Window& window, const Apex& apex, int i);
+  void hand_on_alone(Index child, const Apex& apex, int i);
   void hand_on(std::span<const Window> run, Index edge);
 
   Settings settings_;

@@ -32,6 +32,22 @@ struct Pieces {
 
 }  // namespace
 
+Remains Trimming::settle(Window& left, Window& right) {
+  if (left.empty() || right.empty()) {
+    dropped_ += left.empty() + right.empty();
+    return !left.empty() ? Remains::left : right.empty() ? Remains::none : Remains::right;
+  }
+  Interval l{left.low, left.high}, r{right.low, right.high};
+  const PairOrder order = settle_pair(left, l, right, r);
+  if (order == PairOrder::tangled) return Remains::unsettled;
+  left.high = l.high, right.low = r.low;
+  const bool no_left = order == PairOrder::drop_left || left.empty();
+  const bool no_right = order == PairOrder::drop_right || right.empty();
+  dropped_ += no_left || no_right;
+  if (no_right) return Remains::left;
+  return no_left ? Remains::right : Remains::both;
+}
+
 void Trimming::trim(WindowList& list) {
   if (list.size() == 1 && !list[0].empty()) return breaks_.clear();
   const std::size_t end = trim_row(Row{list.data()}, list.size(), breaks_);

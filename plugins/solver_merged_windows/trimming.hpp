@@ -11,10 +11,16 @@ namespace geodrome::merged_windows {
 
 using WindowList = std::vector<Window>;
 
+/// Which of two windows remain after trimming; `unsettled`: they cannot be put in order and are as they were.
+enum class Remains { both, left, right, none, unsettled };
+
 /// Cuts windows of one half-edge against each other by their L, so that no part that is not lowest there is carried on.
 /// "Ordered" means: in the order in which their lines enter the face below. One per thread.
 class Trimming {
  public:
+  /// Trims two ordered windows of one half-edge.
+  Remains settle(Window& left, Window& right);
+
   /// Trims ordered windows that may overlap until they are disjoint and ascending, and drops what is left empty. The
   /// list is ordered between the positions in `breaks` only.
   void trim(WindowList& list);

@@ -11,8 +11,7 @@ namespace geodrome::merged_windows {
 namespace {
 
 /// About the least L of ordered windows, by which they queue: exact where L changes by at most the way along them.
-double nearness(std::span<const Window> run) {
-  const Window &first = run.front(), &last = run.back();
+double nearness(const Window& first, const Window& last) {
   return std::max(0.0, 0.5 * (first.at(first.low) + last.at(last.high) - (last.high - first.low)));
 }
 
@@ -44,7 +43,7 @@ Wavefront::Next Wavefront::taken(Index element) {
 
 std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double limit) {
   if (run.empty()) return 0;
-  const double near = nearness(run), length = surface_.length(edge);
+  const double near = nearness(run.front(), run.back()), length = surface_.length(edge);
   if (all_beyond(limit, near, run)) return 0;
   std::size_t pushed = 0;
   surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
@@ -55,13 +54,32 @@ std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double 
   return pushed;
 }
 
-bool Wavefront::push_alone(const Window& window, const PackedMesh::Across& across, double length, double limit) {
-  const double near = std::max(0.0, least_distance(window, window.low, window.high));
-  if (is_beyond(limit, near)) return false;
-  const Index place = pool_.add();
-  pool_[place] = window;
-  if (across.mirrored) pool_[place] = mirrored(window, length);
-  insert_run(place, place, across.half_edge);
+bool Wavefront::push_alone(Index window, const PackedMesh::Across& across, double length, double limit) {
+  Window& child = pool_[window];
+  const double near = std::max(0.0, least_distance(child, child.low, child.high));
+  if (is_beyond(limit, near)) {
+    pool_.release(window);
+    return false;
+  }
+  if (across.mirrored) mirror(child, length);
+  insert_run(window, window, across.half_edge);
+  wait(across.half_edge, key_of(near + patience * length));
+  return true;
+}
+
+bool Wavefront::push_two(Index left, Index right, const PackedMesh::Across& across, double length, double limit) {
+  const double near = nearness(pool_[left], pool_[right]);
+  const auto beyond = [&](Index i) { return is_beyond(limit, least_distance(pool_[i], pool_[i].low, pool_[i].high)); };
+  if (is_beyond(limit, near) && beyond(left) && beyond(right)) {
+    pool_.release(left), pool_.release(right);
+    return false;
+  }
+  if (across.mirrored) {
+    mirror(pool_[left], length), mirror(pool_[right], length);
+    std::swap(left, right);
+  }
+  pool_[left].next = right, pool_[left].ends_run = false;
+  insert_run(left, right, across.half_edge);
   wait(across.half_edge, key_of(near + patience * length));
   return true;
 }
@@ -70,7 +88,8 @@ void Wavefront::chain(std::span<const Window> run, Index half_edge, bool mirrore
   Index first = no_index, last = no_index;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const Index place = pool_.add();
-    pool_[place] = mirrored ? merged_windows::mirrored(run[i], length) : run[run.size() - 1 - i];
+    pool_[place] = run[mirrored ? i : run.size() - 1 - i];
+    if (mirrored) mirror(pool_[place], length);
     pool_[place].next = first, pool_[place].ends_run = false;
     first = place;
     if (i == 0) last = place;

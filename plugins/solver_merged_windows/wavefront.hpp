@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -47,8 +48,11 @@ class Wavefront {
   /// other half-edge on the edge. What is farther than `limit` everywhere is dropped. Returns how many windows wait.
   std::size_t push_run(std::span<const Window> run, Index edge, double limit);
 
-  /// The same for one window at one half-edge, `length` long. False if it was dropped.
-  bool push_alone(const Window& window, const PackedMesh::Across& across, double length, double limit);
+  /// The same for a window of the pool at one half-edge, `length` long. False if it was dropped.
+  bool push_alone(Index window, const PackedMesh::Across& across, double length, double limit);
+
+  /// The same for two.
+  bool push_two(Index left, Index right, const PackedMesh::Across& across, double length, double limit);
 
   WindowPool& pool() { return pool_; }
   std::size_t bytes() const { return pool_.bytes() + queue_.bytes() + slots_.capacity() * sizeof(Slot); }
@@ -66,11 +70,16 @@ class Wavefront {
   void fetch_ahead(FetchVertex&& fetch_vertex) const {
     queue_.look_ahead(10, [&](Index soon) {
       prefetch(&slots_[soon]);
-      if (soon >= half_edges_) return;
-      prefetch_two_lines(surface_.face_of(soon));
+      if (soon >= half_edges_)
+        prefetch(surface_.corners(soon - half_edges_).data());
+      else
+        prefetch_two_lines(surface_.face_of(soon));
     });
     queue_.look_ahead(4, [&](Index soon) {
-      if (soon >= half_edges_) return;
+      if (soon >= half_edges_) {
+        for (const Index corner : surface_.corners(soon - half_edges_)) prefetch_two_lines(surface_.face_of(corner));
+        return;
+      }
       const PackedMesh::Face& face = surface_.face_of(soon);
       for (int i = 0; i < 3; ++i) {
         fetch_vertex(face.vertex[i]);
@@ -99,12 +108,12 @@ class Wavefront {
   std::size_t waiting_ = 0;  ///< elements
 };
 
-/// A window as seen from a half-edge that runs the other way along the same edge, `length` long.
-inline Window mirrored(const Window& window, double length) {
-  Window other = window;
-  other.x = length - window.x, other.low = length - window.high, other.high = length - window.low;
-  other.set_entry(geodrome::mirrored(window.entry()));
-  return other;
+/// Makes a window one as seen from a half-edge that runs the other way along the same edge, `length` long.
+inline void mirror(Window& window, double length) {
+  window.x = length - window.x;
+  const double low = length - window.high;
+  window.high = length - window.low, window.low = low;
+  window.set_entry(mirrored(window.entry()));
 }
 
 }  // namespace geodrome::merged_windows

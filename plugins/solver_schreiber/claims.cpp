@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/image_pair.hpp"
 
 namespace geodrome::schreiber {
 

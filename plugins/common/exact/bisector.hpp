@@ -42,36 +42,4 @@ Number bisector_place(const Number& x1, const Number& h1, const Number& s1, cons
   return x1 + above / below;
 }
 
-/// Returns a place in [low, high] at which images a and b are equally far, if a is nearer at one end and b at the
-/// other. An `Image` has members x, y, sigma, and `at(x)`, the distance at (x, 0). The formula is used where it holds,
-/// otherwise regula falsi (Illinois), which keeps the root between its ends.
-template <class Image>
-double equal_place(const Image& a, const Image& b, double low, double high) {
-  const double formula = bisector_place(a.x, -a.y, a.sigma, b.x, -b.y, b.sigma);
-  const double farther = std::max(std::abs(a.sigma), std::abs(b.sigma));
-  if (low <= formula && formula <= high) {
-    const double distance = a.at(formula);
-    if (std::abs(distance - b.at(formula)) <= equal_share * std::max(distance, farther)) return formula;
-  }
-  double at_low = a.at(low) - b.at(low), at_high = a.at(high) - b.at(high);
-  int side = 0;
-  for (int step = 0;; ++step) {
-    const double middle = low + 0.5 * (high - low);
-    if (!(low < middle && middle < high)) return middle;
-    const double secant = low + (high - low) * (at_low / (at_low - at_high));
-    const double x = step < 50 && low < secant && secant < high ? secant : middle;
-    const double distance = a.at(x), gap = distance - b.at(x);
-    if (std::abs(gap) <= equal_share * std::max(distance, farther)) return x;
-    if ((gap < 0) == (at_low < 0)) {
-      low = x, at_low = gap;
-      if (side == -1) at_high *= 0.5;
-      side = -1;
-    } else {
-      high = x, at_high = gap;
-      if (side == 1) at_low *= 0.5;
-      side = 1;
-    }
-  }
-}
-
 }  // namespace geodrome

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "geodrome/geometry.hpp"
-#include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/image_pair.hpp"
 
 namespace geodrome {
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/image_pair.hpp"
 
 namespace geodrome {
 
@@ -70,8 +70,10 @@ PairOrder settle_pair(const Image& left, Interval& l, const Image& right, Interv
   if (l.high <= r.low) return PairOrder::apart;
   const double low = std::max(l.low, r.low), high = std::min(l.high, r.high);
   if (!(low < high)) return settle_reversed_pair(left, l.low, right, r.high);
-  const bool left_keeps_all = !nearer(right.at(high), left.at(high));
-  const bool right_keeps_all = !nearer(left.at(low), right.at(low));
+  const ImagePair images(left, right);
+  const Register<2> at_high = images.at(high), at_low = images.at(low);
+  const bool left_keeps_all = !nearer(at_high.v[1], at_high.v[0]);
+  const bool right_keeps_all = !nearer(at_low.v[0], at_low.v[1]);
   const bool left_is_inside = r.low < low;
   // Equally far everywhere, but with the right interval on the left: the lemma needs one image to be nearer.
   if (left_keeps_all && right_keeps_all && left_is_inside && high < l.high) return PairOrder::tangled;

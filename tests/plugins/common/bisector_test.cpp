@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/image_pair.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
+#include "plugins/solver_merged_windows/trimming.hpp"
 #include "tools/shapes/random.hpp"
 
 /// What the proof asks of a merge, over random neighbours on a half-edge of length 1.
@@ -121,6 +123,71 @@ TEST(Merging, LowersLAndPaysForIt) {
   }
   EXPECT_GT(merged, 2000u);
   EXPECT_GT(several, 300u);
+}
+
+/// Two windows take a way of their own, which must lead to where lists lead.
+TEST(Merging, MakesOfTwoWhatItMakesOfAListOfTwo) {
+  Random random(6);
+  std::size_t merged = 0, hopeless = 0, refused = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Scene scene = random_scene(random);
+    if (scene.windows.size() != 2) continue;
+    Merging lists(scene.delta), pairs(scene.delta);
+    const std::vector<Group> groups = groups_of(lists, scene);
+    std::array<Window, 2> two{scene.windows[0], scene.windows[1]};
+    const Merging::Seam seam(Pair(two[0], two[1]));
+    const bool is_hopeless = pairs.is_hopeless(two[0], two[1], 1, seam);
+    const bool done = !is_hopeless && pairs.merge_two(two, {1, scene.sine}, seam);
+    ASSERT_EQ(done, groups.size() == 1) << "scene " << i;
+    ASSERT_EQ(pairs.counts().tried, lists.counts().tried);
+    ASSERT_EQ(pairs.counts().done, lists.counts().done);
+    merged += done, hopeless += is_hopeless, refused += !done && !is_hopeless;
+    const Window &one = two[0], &other = groups[0].window;
+    ASSERT_EQ(one.x, other.x);
+    ASSERT_EQ(one.y, other.y);
+    ASSERT_EQ(one.sigma, other.sigma);
+    ASSERT_EQ(one.high, other.high);
+    ASSERT_EQ(one.slack, other.slack);
+    ASSERT_EQ(one.depth, other.depth);
+  }
+  EXPECT_GT(merged, 1000u);
+  EXPECT_GT(hopeless, 1000u);
+  EXPECT_GT(refused, 50u);
+}
+
+/// Likewise with trimming, where they overlap.
+TEST(Merging, TrimsTwoAsAListOfTwo) {
+  Random random(7);
+  std::array<std::size_t, 5> seen{};
+  for (int i = 0; i < 100000; ++i) {
+    Scene scene = random_scene(random);
+    if (scene.windows.size() != 2) continue;
+    auto &left = scene.windows[0], &right = scene.windows[1];
+    left.high += random.uniform(-0.1, 0.5) * (right.high - left.high);
+    right.low -= random.uniform(-0.1, 0.5) * (right.low - left.low);
+    if (random.index(10) == 0) std::swap(left.low, right.low), std::swap(left.high, right.high);
+    if (random.index(20) == 0) left.high = left.low;
+    if (random.index(20) == 0) right.high = right.low;
+    WindowList list = scene.windows;
+    Trimming lists, pairs;
+    lists.trim(list);
+    const Remains remains = pairs.settle(left, right);
+    ++seen[static_cast<std::size_t>(remains)];
+    ASSERT_EQ(remains == Remains::unsettled, !lists.breaks().empty()) << "scene " << i;
+    WindowList rest;
+    if (remains != Remains::right && remains != Remains::none) rest.push_back(left);
+    if (remains != Remains::left && remains != Remains::none) rest.push_back(right);
+    ASSERT_EQ(rest.size(), list.size()) << "scene " << i;
+    for (std::size_t k = 0; k < rest.size(); ++k) {
+      ASSERT_EQ(rest[k].low, list[k].low);
+      ASSERT_EQ(rest[k].high, list[k].high);
+      ASSERT_EQ(rest[k].x, list[k].x);
+    }
+    ASSERT_EQ(pairs.dropped(), lists.dropped());
+  }
+  for (const Remains each : {Remains::both, Remains::left, Remains::right, Remains::none})
+    EXPECT_GT(seen[static_cast<std::size_t>(each)], 30u) << static_cast<int>(each);
+  EXPECT_GT(seen[static_cast<std::size_t>(Remains::unsettled)], 0u);
 }
 
 /// The two sides of a vertex just passed: one image, cut in two.
