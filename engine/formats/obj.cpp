@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <charconv>
+#include <initializer_list>
 #include <string_view>
 
 #include "engine/formats/line_reader.hpp"
@@ -50,16 +51,29 @@ bool is_record_name(std::string_view word) {
   return letter(word[0]) && std::all_of(word.begin(), word.end(), rest);
 }
 
-bool holds_geometry(std::string_view record) {
-  constexpr std::string_view names[] = {"l", "p", "curv", "curv2", "surf"};
-  return std::find(std::begin(names), std::end(names), record) != std::end(names);
+bool is_one_of(std::string_view record, std::initializer_list<std::string_view> names) {
+  return std::find(names.begin(), names.end(), record) != names.end();
+}
+
+/// `fo` is how the first versions of the format wrote `f`.
+bool is_face(std::string_view record) { return record == "f" || record == "fo"; }
+
+bool holds_geometry(std::string_view record) { return is_one_of(record, {"l", "p", "curv", "curv2", "surf"}); }
+
+/// Records of OBJ that hold no vertex and no face: attributes, groups, materials, what belongs to curves and surfaces.
+bool holds_none(std::string_view record) {
+  return is_one_of(
+      record, {"vt",     "vn",    "vp",       "g",        "s",    "o",     "mg",    "mtllib", "usemtl",     "maplib",
+               "usemap", "bevel", "c_interp", "d_interp", "lod",  "ctech", "stech", "cstype", "deg",        "bmat",
+               "step",   "parm",  "trim",     "hole",     "scrv", "sp",    "end",   "con",    "shadow_obj", "trace_obj",
+               "call",   "csh",   "bsp",      "bzp",      "cdc",  "cdp",   "res"});
 }
 
 /// A backslash at the end of a line should join the next one, but one that begins with v or f is a record of its own.
 class UnjoinedLines {
  public:
   void see(const LineReader& lines, std::string_view record) {
-    if (open_ != 0 && (record == "v" || record == "f") && count_++ == 0) first_ = open_;
+    if (open_ != 0 && (record == "v" || is_face(record)) && count_++ == 0) first_ = open_;
     open_ = lines.ends_in_backslash() ? lines.line() : 0;
   }
   void tell(Soup& soup) const {
@@ -78,9 +92,32 @@ class UnjoinedLines {
   std::size_t count_ = 0, first_ = 0;
 };
 
+/// Records that might be vertices or faces for some other program.
+class UnknownRecords {
+ public:
+  void see(const LineReader& lines, std::string_view record) {
+    if (count_++ == 0) first_ = quoted(record) + " in line " + std::to_string(lines.line());
+  }
+  void tell(Soup& soup) const {
+    if (count_ == 0) return;
+    soup.findings.push_back({Finding::Severity::warning,
+                             "unknown_records",
+                             counted(count_, "line", "lines") +
+                                 " of the OBJ file hold no record of the format, the first " + first_ +
+                                 "; they were not used.",
+                             count_,
+                             {}});
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::string first_;
+};
+
 Soup read_obj(const SourceFile& file) {
   Soup soup;
   Finding ignored{Finding::Severity::warning, "ignored_records", "", 0, {}};
+  UnknownRecords unknown;
   UnjoinedLines unjoined;
   LineReader lines(file, {.comment = '#', .continued = true});
   while (lines.next()) {
@@ -88,18 +125,21 @@ Soup read_obj(const SourceFile& file) {
     unjoined.see(lines, record);
     if (record == "v") {
       soup.positions.push_back(lines.point());
-    } else if (record == "f") {
+    } else if (is_face(record)) {
       read_face(file, lines, soup);
     } else if (holds_geometry(record)) {
       ++ignored.count;
     } else if (!is_record_name(record)) {
       lines.reject(InputFault::syntax, quoted(record) + " is no record of OBJ");
+    } else if (!holds_none(record)) {
+      unknown.see(lines, record);
     }
     if (soup.positions.size() >= no_index || soup.face_count() >= no_index)
       lines.reject(InputFault::unsupported, "more vertices or faces than 32 bits count");
   }
   check_corners(file, soup);
   unjoined.tell(soup);
+  unknown.tell(soup);
   ignored.message =
       std::to_string(ignored.count) + " lines, points, curves or free-form surfaces of the OBJ file were not used.";
   if (ignored.count > 0) soup.findings.push_back(std::move(ignored));

@@ -22,7 +22,8 @@ double step_at(double coordinate) {
   return static_cast<double>(std::nextafter(value, std::numeric_limits<float>::infinity())) - value;
 }
 
-/// The step where the coordinates of an axis are largest; 0 if fewer than a quarter of them there are odd multiples.
+/// The step where the coordinates of an axis are largest; 0 if hardly any of them there are odd multiples, as where all
+/// are whole numbers.
 double step_of_axis(std::span<const Vec3> positions, double Vec3::*axis) {
   double largest = 0;
   for (const Vec3& p : positions) largest = std::max(largest, std::abs(p.*axis));
@@ -32,7 +33,7 @@ double step_of_axis(std::span<const Vec3> positions, double Vec3::*axis) {
     if (step_at(p.*axis) != step) continue;
     ++there, odd += std::fmod(std::abs(p.*axis) / step, 2) == 1;
   }
-  return 4 * odd >= there ? step : 0;
+  return 16 * odd >= there ? step : 0;
 }
 
 double median(std::vector<double>& values) {

@@ -89,6 +89,14 @@ Practice practice_of(const SampleReport& report, const Claim& curvature, const C
     judge.worsen(Practice::Verdict::doubtful, "noise is over 1 % of the diagonal");
   if (on_surface.fails())
     judge.worsen(Practice::Verdict::doubtful, "a point lies " + number(on_surface.measured) + " psi off the surface");
+  if (report.distance && report.distance->largest > most_distance * report.diagonal)
+    judge.worsen(Practice::Verdict::doubtful, "a point lies " + percent(report.distance->largest / report.diagonal) +
+                                                  " of the diagonal off the surface");
+  if (const auto& empty = report.empty_place)  // where there is a boundary, shadows of a scan are usual
+    judge.worsen(closed ? Practice::Verdict::doubtful : Practice::Verdict::fair,
+                 "the surface spans a place without points, " + number(2 * empty->radius) + " wide, near row " +
+                     std::to_string(empty->nearest_row) + ", where about " + number(std::round(empty->missing)) +
+                     " would be expected: if it is an opening, distances across it are too short");
   if (curvature.fails() && report.epsilon <= good_epsilon)  // else epsilon has told it
     judge.worsen(Practice::Verdict::fair, curvature.name + " fails: " + number(curvature.measured));
   for (const Claim& claim : report.guarantee.claims)
@@ -111,7 +119,10 @@ SampleReport make_sample_report(const Input& input, const PlacedSurface& surface
   report.figures = figures_of(surface.stages);
   if (report.figure("sigma").is_measured()) report.facts.sigma = report.figure("sigma").value;
   report.part = surface.part;
-  if (surface.mesh) report.surface = facts_of(*surface.mesh), report.distance = distance_of(input, surface);
+  if (surface.mesh) {
+    report.surface = facts_of(*surface.mesh), report.distance = distance_of(input, surface);
+    report.empty_place = widest_empty_place(input, surface);
+  }
   if (refusal) report.refusal = Refusal{refusal->plugin(), refusal->message(), refusal->remedy()};
   const StageFigure& estimate = report.figure("epsilon");
   const Claim curvature = claim_curvature(surface), on_surface = claim_points_on_surface(input, surface);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/checks/empty_places.hpp"
 #include "engine/checks/guarantee.hpp"
 #include "engine/checks/surface_facts.hpp"
 #include "engine/checks/worst_places.hpp"
@@ -43,6 +44,7 @@ struct SampleReport {
   double diagonal = 0;                      ///< of the input's bounding box
   std::optional<SurfaceFacts> surface;      ///< none if the sample was refused
   std::optional<SurfaceDistance> distance;  ///< likewise
+  std::optional<EmptyPlace> empty_place;    ///< that the surface spans, if there is one
   /// The part that the surface is of; of a sample that was refused the one that could be had, with no points if none.
   std::optional<SurfacePart> part;
   std::map<std::string, StageFigure> figures;
@@ -61,6 +63,9 @@ struct SampleReport {
 /// Shares of inconsistent stars. Of the samples tried, surfaces that came out right had at most 20 %, wrong ones 29 %
 /// and more.
 inline constexpr double good_stars = 0.05, fair_stars = 0.10, most_stars = 0.20;
+
+/// Points are at most so far from a surface that is of some use, as a share of the diagonal.
+inline constexpr double most_distance = 0.05;
 
 /// Smoothing gave the right topology up to this sigma, as a share of the diagonal.
 inline constexpr double most_noise = 0.01;

@@ -104,6 +104,9 @@ Json to_json(const SurfaceFacts& facts) {
 Json to_json(const SampleReport& report) {
   Json json{{"sample", sample_json(report)}};
   if (report.surface) json["surface"] = to_json(*report.surface);
+  if (const auto& empty = report.empty_place)
+    json["empty_place"] = {
+        {"radius", empty->radius}, {"points_missing", empty->missing}, {"nearest_row", empty->nearest_row}};
   if (report.part) json["part"] = part_json(*report.part, report.surface.has_value());
   json["guarantee_of_the_paper"] = to_json(report.guarantee);
   json["practice"] = to_json(report.practice);

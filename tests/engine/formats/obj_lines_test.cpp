@@ -48,6 +48,19 @@ TEST(ObjLines, ContinuationsJoinNumbers) {
   }
 }
 
+TEST(ObjLines, FacesAsTheFirstVersionsWroteThemAreFaces) {
+  const Input input = read_obj(vertices + "fo 1 2 3\nf 1 3 4\n");
+  EXPECT_EQ(input.triangles.size(), 2u);
+  EXPECT_FALSE(has_warning(input));
+}
+
+TEST(ObjLines, RecordsOfNoKindAreTold) {
+  const Input input = read_obj(vertices + "vn 0 0 1\nusemtl a\nf 1 2 3\nF 1 3 4\nface 1 3 4\nf 1 3 4\n");
+  ASSERT_TRUE(has_finding(input, "unknown_records"));
+  EXPECT_EQ(input.findings[0].count, 2u);
+  EXPECT_NE(input.findings[0].message.find("'F' in line 8"), std::string::npos) << input.findings[0].message;
+}
+
 TEST(ObjLines, ContinuationsWithinOtherRecordsAreJoined) {
   const Input input = read_obj(vertices + "l 1 2 \\\n3 4\np 1\\\n 2\nvp 0 \\\n1\nf 1 2 3\nf 1 3 4\n");
   ASSERT_TRUE(has_finding(input, "ignored_records"));
