@@ -180,6 +180,9 @@ void restore_footer(const PosixFile& file, const DenseFormat& format, const std:
   if (!layout) return;
   const std::uint64_t begin = layout->footer(), end = layout->end();
   if (footer.size() != end - begin || file.size() < begin || file.size() > end) return;
+  std::string header(layout->header().size(), '\0');
+  file.read_at(0, header.data(), header.size());
+  if (header != layout->header()) return;  // the footer of another shape would be written over rows
   file.write_at(begin, footer.data(), footer.size());
   file.sync();
 }

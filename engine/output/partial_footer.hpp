@@ -34,8 +34,8 @@ std::optional<MatrixFile::Spec> read_footer(const PosixFile& file, const DenseFo
 void save_footer(const PosixFile& file, const DenseLayout& layout, const std::filesystem::path& to);
 
 /// Puts a saved footer back at its place behind the matrix, if `from` is one, whole, and `file` is the matrix that it
-/// was saved from as far as its size tells: without the footer, or with some of it. Otherwise does nothing. Whether the
-/// rows are those of the footer is for their checksums to tell.
+/// was saved from as far as its size and header tell: without the footer, or with some of it. Otherwise does nothing.
+/// Whether the rows are those of the footer is for their checksums to tell.
 void restore_footer(const PosixFile& file, const DenseFormat& format, const std::filesystem::path& from);
 
 /// In which respects two specs differ, each with both values shortened to 60 characters: "/seed was 1 and is 2". Empty

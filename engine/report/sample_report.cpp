@@ -92,6 +92,10 @@ Practice practice_of(const SampleReport& report, const Claim& curvature, const C
   if (report.distance && report.distance->largest > most_distance * report.diagonal)
     judge.worsen(Practice::Verdict::doubtful, "a point lies " + percent(report.distance->largest / report.diagonal) +
                                                   " of the diagonal off the surface");
+  if (const auto& torn = report.torn)
+    judge.worsen(Practice::Verdict::doubtful, "rows " + std::to_string(torn->first) + " and " +
+                                                  std::to_string(torn->second) +
+                                                  " are neighbours, but on parts of the surface that do not meet");
   if (const auto& empty = report.empty_place)  // where there is a boundary, shadows of a scan are usual
     judge.worsen(closed ? Practice::Verdict::doubtful : Practice::Verdict::fair,
                  "the surface spans a place without points, " + number(2 * empty->radius) + " wide, near row " +
@@ -121,7 +125,7 @@ SampleReport make_sample_report(const Input& input, const PlacedSurface& surface
   report.part = surface.part;
   if (surface.mesh) {
     report.surface = facts_of(*surface.mesh), report.distance = distance_of(input, surface);
-    report.empty_place = widest_empty_place(input, surface);
+    report.empty_place = widest_empty_place(input, surface), report.torn = torn_neighbours(input, surface);
   }
   if (refusal) report.refusal = Refusal{refusal->plugin(), refusal->message(), refusal->remedy()};
   const StageFigure& estimate = report.figure("epsilon");

@@ -5,11 +5,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/checks/empty_places.hpp"
 #include "engine/checks/guarantee.hpp"
 #include "engine/checks/surface_facts.hpp"
+#include "engine/checks/torn_surface.hpp"
 #include "engine/checks/worst_places.hpp"
 #include "engine/report/json.hpp"
 
@@ -41,10 +43,11 @@ struct Refusal {
 /// The report on a sample, as the user is told it.
 struct SampleReport {
   SampleFacts facts;
-  double diagonal = 0;                      ///< of the input's bounding box
-  std::optional<SurfaceFacts> surface;      ///< none if the sample was refused
-  std::optional<SurfaceDistance> distance;  ///< likewise
-  std::optional<EmptyPlace> empty_place;    ///< that the surface spans, if there is one
+  double diagonal = 0;                          ///< of the input's bounding box
+  std::optional<SurfaceFacts> surface;          ///< none if the sample was refused
+  std::optional<SurfaceDistance> distance;      ///< likewise
+  std::optional<EmptyPlace> empty_place;        ///< that the surface spans, if there is one
+  std::optional<std::pair<Index, Index>> torn;  ///< two rows, if the surface fell apart between them
   /// The part that the surface is of; of a sample that was refused the one that could be had, with no points if none.
   std::optional<SurfacePart> part;
   std::map<std::string, StageFigure> figures;

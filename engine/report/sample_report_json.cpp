@@ -107,6 +107,7 @@ Json to_json(const SampleReport& report) {
   if (const auto& empty = report.empty_place)
     json["empty_place"] = {
         {"radius", empty->radius}, {"points_missing", empty->missing}, {"nearest_row", empty->nearest_row}};
+  if (report.torn) json["torn_between_rows"] = {report.torn->first, report.torn->second};
   if (report.part) json["part"] = part_json(*report.part, report.surface.has_value());
   json["guarantee_of_the_paper"] = to_json(report.guarantee);
   json["practice"] = to_json(report.practice);

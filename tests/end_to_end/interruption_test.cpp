@@ -72,6 +72,17 @@ TEST_F(Interruption, CtrlCEndsWith130AndLeavesThePartialAndNothingElse) {
   EXPECT_EQ(files(), (std::vector<std::string>{"d.npy.partial", "stderr", "stdout", "t.ply", "whole.npy"}));
 }
 
+TEST_F(Interruption, WhatAnEarlierRunLeftIsNotOverwrittenInSilence) {
+  interrupt_in_time(job("d.npy"), SIGKILL);
+  const Outcome anew = run_geodrome(folder_, job("d.npy"));
+  EXPECT_EQ(anew.status, 0) << anew.err;
+  EXPECT_NE(anew.err.find("d.npy.partial, which an earlier run left, is overwritten; otherwise --resume goes on with "),
+            std::string::npos)
+      << anew.err;
+  const Outcome again = run_geodrome(folder_, job("d.npy"));
+  EXPECT_EQ(again.err.find("overwritten"), std::string::npos) << again.err;
+}
+
 TEST_F(Interruption, ResumingWithOtherOptionsIsRefusedNamingThem) {
   interrupt_in_time(job("d.npy"), SIGKILL);
   std::vector<std::string> other = job("d.npy");

@@ -18,11 +18,14 @@ using shapes::Random;
 
 class Openings : public ::testing::Test {
  protected:
+  Outcome run(const std::vector<Vec3>& points) {
+    write_points(folder_ / "s.ply", points);
+    return run_geodrome(folder_, {"distances", (folder_ / "s.ply").string(), "--sources", "0", "-o",
+                                  (folder_ / "d.npy").string(), "--quiet"});
+  }
   /// What the program says of a sample.
   std::string told(const std::vector<Vec3>& points) {
-    write_points(folder_ / "s.ply", points);
-    const Outcome outcome = run_geodrome(folder_, {"distances", (folder_ / "s.ply").string(), "--sources", "0", "-o",
-                                                   (folder_ / "d.npy").string(), "--quiet"});
+    const Outcome outcome = run(points);
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     return outcome.out;
   }
@@ -65,6 +68,31 @@ TEST_F(Openings, OfAPipeScannedInLinesAreTold) {
       points.push_back({std::cos(turn), std::sin(turn), i / 17.5});
     }
   EXPECT_TRUE(is_told(told(points)));
+}
+
+TEST_F(Openings, ThatTearASurfaceApartAreTold) {
+  std::size_t torn = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Random random(seed);
+    std::vector<Vec3> strip;
+    for (int i = 0; i < 80; ++i) strip.push_back({random.uniform(0, 6), random.uniform(0, 0.7), 0});
+    const Outcome outcome = run(strip);
+    const std::string& text = outcome.out;
+    if (outcome.status == 4 || text.find(", 1 component, ") != std::string::npos) continue;
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_NE(text.find("practice   doubtful: "), std::string::npos) << text;
+    EXPECT_NE(text.find(" are neighbours, but on parts of the surface that do not meet"), std::string::npos) << text;
+    ++torn;
+  }
+  EXPECT_GT(torn, 0U);
+}
+
+TEST_F(Openings, OfTwoSpheresApartAreNone) {
+  std::vector<Vec3> points = cup(800, 1, 1);
+  for (const Vec3& p : cup(800, 1, 2)) points.push_back(p + Vec3{2.5, 0, 0});
+  const std::string text = told(points);
+  EXPECT_NE(text.find(", 2 components"), std::string::npos) << text;
+  EXPECT_EQ(text.find("do not meet"), std::string::npos) << text;
 }
 
 TEST_F(Openings, AreNotSeenWhereChanceLeavesGaps) {

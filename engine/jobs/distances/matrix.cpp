@@ -8,6 +8,7 @@
 #include "engine/checks/matrix_view.hpp"
 #include "engine/formats/remedies.hpp"
 #include "engine/jobs/distances/bounded_matrix.hpp"
+#include "engine/output/posix_file.hpp"
 #include "engine/report/json.hpp"
 #include "engine/search/lower_bounds.hpp"
 #include "engine/search/parallel_rows.hpp"
@@ -53,6 +54,13 @@ void tell_unlocked(const MatrixFile& file, const MatrixFile::Spec& spec, Observe
   const std::string partial = spec.out.string() + ".partial";
   observer.log(LogLevel::warning,
                partial + " cannot be locked on this file system: meanwhile " + partial + "-lock keeps other runs away");
+}
+
+void tell_overwritten(const DistanceJob& job, Observer& observer) {
+  const std::filesystem::path partial = std::filesystem::path(job.matrix) += ".partial";
+  if (job.resume || !file_exists(partial)) return;
+  observer.log(LogLevel::warning, partial.string() + ", which an earlier run left, is overwritten; otherwise " +
+                                      observer.words(remedies::go_on()));
 }
 
 void tell_unfinished(const MatrixFile& file, const MatrixFile::Spec& spec, Observer& observer) {
@@ -172,6 +180,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   maker.make(*make_search(solver), 0, row);
   result.first_row_seconds = first.seconds();
   demand_consent(job, spec, result, threads, observer);
+  tell_overwritten(job, observer);
   BoundedMatrix sink(spec, bounds, job.resume);
   const MatrixFile& file = sink.matrix();
   tell_unlocked(file, spec, observer);

@@ -128,6 +128,21 @@ TEST_F(MatrixFileWithoutNameTest, TrustsNoRowOfAnotherMatrixOfTheSameSize) {
   EXPECT_EQ(MatrixFile::open(s, true).rows_done(), 0u);
 }
 
+TEST_F(MatrixFileWithoutNameTest, LeavesRowsAloneWhereTheSavedFooterIsOfFewer) {
+  auto fewer = spec("d.npy");
+  fewer.rows = 1;
+  leave_without_name(fewer);
+  const auto footer = bytes_in(footer_of(fewer));
+  const auto s = spec("d.npy");
+  const std::string whole = expected_npy(s);
+  for (std::size_t size = expected_npy(fewer).size(); size <= whole.size(); size += 8) {
+    std::ofstream(partial_of(s), std::ios::binary) << whole.substr(0, size);
+    std::ofstream(footer_of(s), std::ios::binary) << footer;
+    error_of([&] { MatrixFile::open(s, true); });
+    EXPECT_EQ(bytes_in(partial_of(s)), whole.substr(0, size)) << size;
+  }
+}
+
 TEST_F(MatrixFileWithoutNameTest, ForgetsTheSavedFooterWhenItStartsAnew) {
   const auto s = spec("d.npy");
   leave_without_name(s);
