@@ -56,10 +56,9 @@ void tell_unlocked(const MatrixFile& file, const MatrixFile::Spec& spec, Observe
                partial + " cannot be locked on this file system: meanwhile " + partial + "-lock keeps other runs away");
 }
 
-void tell_overwritten(const DistanceJob& job, Observer& observer) {
-  const std::filesystem::path partial = std::filesystem::path(job.matrix) += ".partial";
-  if (job.resume || !file_exists(partial)) return;
-  observer.log(LogLevel::warning, partial.string() + ", which an earlier run left, is overwritten; otherwise " +
+void tell_overwritten(const MatrixFile::Spec& spec, Observer& observer) {
+  observer.log(LogLevel::warning, spec.out.string() +
+                                      ".partial, which an earlier run left, is overwritten; otherwise " +
                                       observer.words(remedies::go_on()));
 }
 
@@ -180,8 +179,9 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   maker.make(*make_search(solver), 0, row);
   result.first_row_seconds = first.seconds();
   demand_consent(job, spec, result, threads, observer);
-  tell_overwritten(job, observer);
-  BoundedMatrix sink(spec, bounds, job.resume);
+  const bool overwrites = !job.resume && file_exists(spec.out.string() + ".partial");
+  BoundedMatrix sink(spec, bounds, job.resume);  // refused while another run writes it
+  if (overwrites) tell_overwritten(spec, observer);
   const MatrixFile& file = sink.matrix();
   tell_unlocked(file, spec, observer);
   if (sink.bounds()) tell_unlocked(*sink.bounds(), bounds, observer);
