@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/mesh/prefetch.hpp"
 
 namespace geodrome::chen_han {
 namespace {
@@ -47,7 +48,7 @@ void Propagation::choose_lanes() {
 }
 
 void Propagation::next() {
-  const Wavefront::Next next = wavefront_.pop();
+  const Wavefront::Next next = wavefront_.pop([this](Index vertex) { prefetch(&labels_[vertex]); });
   if (next.vertex != no_index)
     emit(next.vertex);
   else

@@ -30,27 +30,21 @@ bool all_beyond(double limit, double near, const WindowArrays& w, std::size_t co
 }  // namespace
 
 void Wavefront::clear() {
-  while (!queue_.empty()) {
-    const Next next = pop();
-    for (Index block = next.block; block != no_index;) {
+  while (!empty()) {
+    for (Index block = pop([](Index) {}).block; block != no_index;) {
       const Index following = store_[block].next;
       store_.release(block);
       block = following;
     }
   }
+  queue_.clear();
 }
 
-Wavefront::Next Wavefront::pop() {
-  const Index element = queue_.pop();
-  const auto half_edges = static_cast<Index>(waiting_.size());
-  queue_.for_each_of_the_next([&](Index soon) {
-    if (soon >= half_edges) return;
-    prefetch_two_lines(surface_.face_of(soon));
-  });
-  if (element >= half_edges) return {no_index, no_index, element - half_edges};
-  const Index block = waiting_[element];
-  waiting_[element] = no_index;
-  return {element, block, no_index};
+Wavefront::Next Wavefront::taken(Index element) {
+  --waiting_;
+  const Slot slot = std::exchange(slots_[element], {});
+  if (element >= half_edges_) return {no_index, no_index, element - half_edges_};
+  return {element, slot.block, no_index};
 }
 
 std::size_t Wavefront::push_block(Index block, Index edge, double limit) {
@@ -66,9 +60,8 @@ std::size_t Wavefront::push_block(Index block, Index edge, double limit) {
       if (pushed > 0 || mirrored) own = copy_of(block, mirrored != is_mirrored, length);
       if (pushed == 0 && mirrored) store_.release(std::exchange(block, own)), is_mirrored = true;
       pushed += count;
-      store_[own].next = waiting_[half_edge];
-      waiting_[half_edge] = own;
-      queue_.push(half_edge, near + patience * length);
+      store_[own].next = std::exchange(slots_[half_edge].block, own);
+      wait(half_edge, key_of(near + patience * length));
     };
     if (!all_beyond(limit, near, store_[block].windows(), count)) surface_.for_each_across(edge, wait_at);
   }

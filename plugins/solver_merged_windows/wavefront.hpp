@@ -9,7 +9,7 @@
 
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/mesh/prefetch.hpp"
-#include "plugins/solver_merged_windows/bucket_queue.hpp"
+#include "plugins/common/mesh/bucket_queue.hpp"
 #include "plugins/solver_merged_windows/window.hpp"
 
 namespace geodrome::merged_windows {

@@ -9,7 +9,7 @@
 
 #include "geodrome/geometry.hpp"
 
-namespace geodrome::merged_windows {
+namespace geodrome {
 
 /// A queue of elements with keys >= 0, about the lowest first. An element may be in it several times; who takes it
 /// knows whether an entry still counts. Entries lie in buckets of equal width, a ring of them, and beyond its end in a
@@ -90,4 +90,4 @@ class BucketQueue {
   std::size_t count_ = 0, in_ring_ = 0;
 };
 
-}  // namespace geodrome::merged_windows
+}  // namespace geodrome

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/solver_merged_windows/bucket_queue.hpp"
+#include "plugins/common/mesh/bucket_queue.hpp"
 
 #include <utility>
 
-namespace geodrome::merged_windows {
+namespace geodrome {
 
 void BucketQueue::clear() {
   if (in_ring_ > 0)
@@ -50,4 +50,4 @@ std::size_t BucketQueue::bytes() const {
   return entries * sizeof(Entry) + ring_.capacity() * sizeof(ring_[0]);
 }
 
-}  // namespace geodrome::merged_windows
+}  // namespace geodrome

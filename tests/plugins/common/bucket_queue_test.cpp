@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "plugins/solver_merged_windows/bucket_queue.hpp"
+#include "plugins/common/mesh/bucket_queue.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "tools/shapes/random.hpp"
 
-namespace geodrome::merged_windows {
+namespace geodrome {
 namespace {
 
 using shapes::Random;
@@ -83,4 +83,4 @@ TEST(BucketQueue, IsAsNewAfterClear) {
 }
 
 }  // namespace
-}  // namespace geodrome::merged_windows
+}  // namespace geodrome
