@@ -3,8 +3,8 @@
 
 #include <cstddef>
 
-#include "plugins/common/mesh/apex.hpp"
 #include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/mesh/apex.hpp"
 #include "plugins/solver_chen_han/lanes.hpp"
 #include "plugins/solver_chen_han/windows.hpp"
 
@@ -12,10 +12,10 @@ namespace geodrome::chen_han {
 
 /// Whether window i has lines to the left or right of the apex.
 inline bool has_left(const Apex& apex, const WindowArrays& w, std::size_t i) {
-  return side_of_line(w.x[i], w.y[i], w.low[i], apex.x, apex.y) < 0;
+  return side_of_line(w.x()[i], w.y()[i], w.low()[i], apex.x, apex.y) < 0;
 }
 inline bool has_right(const Apex& apex, const WindowArrays& w, std::size_t i) {
-  return side_of_line(w.x[i], w.y[i], w.high[i], apex.x, apex.y) > 0;
+  return side_of_line(w.x()[i], w.y()[i], w.high()[i], apex.x, apex.y) > 0;
 }
 
 /// How an ordered list meets the apex: windows [0, left_end) have lines to its left, [right_begin, end) to its right;

@@ -14,7 +14,7 @@ namespace {
 chen_han::Simd simd_level(const std::string& name) {
   using chen_han::Simd;
   if (name == "auto") return chen_han::best_simd();
-  const Simd level = name == "avx2" ? Simd::avx2 : Simd::baseline;
+  const Simd level = name == "avx512" ? Simd::avx512 : name == "avx2" ? Simd::avx2 : Simd::baseline;
   if (!chen_han::has_simd(level))
     throw OptionError("this processor does not have " + name, "leave simd to auto: the results are the same");
   return level;

@@ -23,10 +23,11 @@ class ChenHanSolver final : public ShortestPathSolver {
     bool filter;
     std::string simd;
   };
-  static constexpr auto options = settings_table(
-      option("filter", &Choices::filter, "xin_wang", "xin_wang|off", {true, false},
-             "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
-      option("simd", &Choices::simd, "auto", "auto|baseline|avx2", "processor level of the inner loops; same results"));
+  static constexpr auto options =
+      settings_table(option("filter", &Choices::filter, "xin_wang", "xin_wang|off", {true, false},
+                            "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
+                     option("simd", &Choices::simd, "auto", "auto|baseline|avx2|avx512",
+                            "processor level of the inner loops; same results"));
 
   /// Throws OptionError for a level that the processor does not have.
   explicit ChenHanSolver(const OptionValues& values) : ChenHanSolver(options.parsed(values)) {}

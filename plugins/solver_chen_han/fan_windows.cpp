@@ -22,7 +22,7 @@ void FanWindows::keep_nearest(Index half_edge, WindowList& list) {
 void FanWindows::list_pieces(const WindowArrays& w, std::size_t count) {
   pieces_.clear();
   for (std::size_t i = 0; i < count; ++i)
-    pieces_.push_back({w.x[i], w.y[i], w.sigma[i], w.low[i], w.high[i], static_cast<std::uint32_t>(i)});
+    pieces_.push_back({w.x()[i], w.y()[i], w.sigma()[i], w.low()[i], w.high()[i], static_cast<std::uint32_t>(i)});
 }
 
 void FanWindows::list_parts(const WindowArrays& windows) {

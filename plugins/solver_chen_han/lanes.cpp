@@ -7,11 +7,16 @@ namespace geodrome::chen_han {
 
 #ifdef GEODROME_X86_LEVELS
 extern const Lanes avx2_lanes;
+extern const Lanes avx512_lanes;
 
-bool has_simd(Simd level) { return level == Simd::baseline || __builtin_cpu_supports("avx2"); }
+bool has_simd(Simd level) {
+  if (level == Simd::avx512) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+  return level == Simd::baseline || __builtin_cpu_supports("avx2");
+}
 
 const Lanes& lanes(Simd level) {
   static constexpr Lanes baseline = lanes_of<2>;
+  if (level == Simd::avx512) return avx512_lanes;
   return level == Simd::avx2 ? avx2_lanes : baseline;
 }
 #else
@@ -23,6 +28,9 @@ const Lanes& lanes(Simd) {
 }
 #endif
 
-Simd best_simd() { return has_simd(Simd::avx2) ? Simd::avx2 : Simd::baseline; }
+Simd best_simd() {
+  if (has_simd(Simd::avx512)) return Simd::avx512;
+  return has_simd(Simd::avx2) ? Simd::avx2 : Simd::baseline;
+}
 
 }  // namespace geodrome::chen_han

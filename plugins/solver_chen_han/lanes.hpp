@@ -15,23 +15,35 @@ struct Parting {
   bool in_order;
 };
 
+/// The windows [0, low_end) of a carried list begin at the start of the new edge, those from `high_begin` on end at
+/// its end, wherever their lines go.
+struct Clip {
+  int low_end, high_begin;
+};
+
+/// What a cut leaves to do: some neighbours still overlap if `unsure`, some windows are empty if `empty`.
+struct Trimmed {
+  bool unsure, empty;
+  bool is_whole() const { return !unsure && !empty; }
+};
+
 /// The loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE
-/// operations on every window, so all give the same bytes. Arrays must be padded: up to `padding` windows beyond the
-/// last are read and, in what is written, have any value afterwards.
+/// operations on every window, so all give the same bytes. Up to 2 x `most_lanes` windows beyond the last are read,
+/// whatever they hold; in what is written, up to `padding` have any value afterwards.
 struct Lanes {
   /// The first `count` windows of `in` as seen from the new edge.
-  void (*carry)(const WindowArrays& in, std::size_t count, const Turn& turn, const WindowArrays& out);
+  void (*carry)(const WindowArrays& in, std::size_t count, const Turn& turn, const Clip& clip, const WindowArrays& out);
 
-  /// For windows i and i + 1 that overlap, where to cut: cut[i] is the place at which they are equally far, or the end
-  /// of the one that wins all of the overlap if it ends it. NaN where they do not overlap, or where the formula did not
-  /// pass its check; true if it did not somewhere. Reads `count` windows, count >= 1, writes count - 1 cuts.
-  bool (*cut)(const WindowArrays& windows, std::size_t count, double* cut);
+  /// Cuts neighbours that overlap, of `count` >= 1 windows, by the lemma of ordered neighbours (ordered_pair.hpp): at
+  /// the place where they are equally far if the formula for it passes its check; else the one that is nearer at the
+  /// far end of the overlap keeps all of it. Other pairs stay as they are.
+  Trimmed (*cut)(const WindowArrays& windows, std::size_t count);
 
   /// Where a list is parted by the point (x, y), y > 0.
   Parting (*part)(const WindowArrays& windows, std::size_t count, double x, double y);
 };
 
-enum class Simd { baseline, avx2 };
+enum class Simd { baseline, avx2, avx512 };
 
 /// The widest level that the processor has.
 Simd best_simd();

@@ -10,61 +10,124 @@
 namespace geodrome::chen_han {
 
 template <int N>
-void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const WindowArrays& out) {
+[[gnu::flatten]] void carry(const WindowArrays& in, std::size_t count, const Turn& turn, const Clip& clip,
+                            const WindowArrays& out) {
   using Double = Register<N>;
+  const Double zero, limit(turn.limit), low_end(static_cast<double>(clip.low_end)),
+      high_begin(static_cast<double>(clip.high_begin));
   for (std::size_t i = 0; i < count; i += N) {
-    const TurnedImage<Double> image(turn, Double(in.x + i), Double(in.y + i));
-    image.x().store(out.x + i);
-    image.y().store(out.y + i);
-    __builtin_memcpy(out.sigma + i, in.sigma + i, N * sizeof(double));
-    __builtin_memcpy(out.origin + i, in.origin + i, N * sizeof(Index));
-    __builtin_memcpy(out.parent + i, in.parent + i, N * sizeof(Index));
-    image.low(Double(in.low + i)).store(out.low + i);
-    image.high(Double(in.high + i)).store(out.high + i);
+    const TurnedImage<Double> image(turn, Double(in.x() + i), Double(in.y() + i));
+    const Double number = Double::count_from(static_cast<double>(static_cast<int>(i)));
+    image.x().store(out.x() + i);
+    image.y().store(out.y() + i);
+    __builtin_memcpy(out.sigma() + i, in.sigma() + i, N * sizeof(double));
+    __builtin_memcpy(out.names() + i, in.names() + i, N * sizeof(double));
+    select(number < low_end, zero, image.low(Double(in.low() + i))).store(out.low() + i);
+    select(number >= high_begin, limit, image.high(Double(in.high() + i))).store(out.high() + i);
   }
 }
 
+/// N windows in registers.
 template <int N>
-bool cut(const WindowArrays& w, std::size_t count, double* cuts) {
+struct Lane {
   using Double = Register<N>;
-  const Double zero, none(std::numeric_limits<double>::quiet_NaN()), share(equal_share);
-  typename Double::Mask failed{};
-  for (std::size_t i = 0; i + 1 < count; i += N) {
-    const Double low_1(w.low + i), low_2(w.low + i + 1), high_1(w.high + i), high_2(w.high + i + 1);
-    const Double low = most(low_1, low_2), high = least(high_1, high_2);
-    const Double x1(w.x + i), x2(w.x + i + 1), h1 = -Double(w.y + i), h2 = -Double(w.y + i + 1);
-    const Double s1(w.sigma + i), s2(w.sigma + i + 1);
-    const Double x = most(least(bisector_place(x1, h1, s1, x2, h2, s2), high), low);
-    const Double d1 = s1 + root((x - x1) * (x - x1) + h1 * h1), d2 = s2 + root((x - x2) * (x - x2) + h2 * h2);
-    const Double gap = d1 - d2, noise = share * d1;
-    const auto equal = (gap <= noise) & (gap >= -noise);
-    const auto first_wins = (x == high_1) & (gap < zero), second_wins = (x == low_2) & (gap > zero);
-    const auto in_turn = (low < high) & (low_1 <= low_2) & (high_1 <= high_2), apart = high_1 <= low_2;
-    const auto sound = (equal | first_wins | second_wins) & in_turn;
-    select(sound & ~apart, x, none).store(cuts + i);
-    failed |= ~(apart | sound) & (Double::count_from(static_cast<double>(i + 1)) < Double(static_cast<double>(count)));
-  }
-  return Double::any(failed);
-}
+  Double x, y, sigma, low, high;
 
-/// Those of n windows are the last (first) of a list whose numbers have the largest (smallest) sum that n numbers can
-/// have: one loop, and no branch that depends on the list.
+  Lane(const WindowArrays& w, std::size_t i)
+      : x(w.x() + i), y(w.y() + i), sigma(w.sigma() + i), low(w.low() + i), high(w.high() + i) {}
+  /// The neighbours on the right of the windows of `a`, which those of `b` follow.
+  Lane(const Lane& a, const Lane& b)
+      : x(next_lanes(a.x, b.x)),
+        y(next_lanes(a.y, b.y)),
+        sigma(next_lanes(a.sigma, b.sigma)),
+        low(next_lanes(a.low, b.low)),
+        high(next_lanes(a.high, b.high)) {}
+  Double at(const Double& place) const { return sigma + root((place - x) * (place - x) + y * y); }
+};
+
+/// Pairs of overlapping neighbours, cut: the left ones end at `left_high`, the right ones begin at `right_low`.
+/// `unsure` where the rules of lanes.hpp do not tell.
 template <int N>
-Parting part(const WindowArrays& w, std::size_t count, double x, double y) {
+struct PairCut {
   using Double = Register<N>;
-  const Double zero, one(1.0), last(static_cast<double>(count));
-  Double rights, right_numbers, lefts, left_numbers, number = Double::count_from(0);
+  Double left_high, right_low;
+  typename Double::Mask unsure;
+
+  PairCut(const Lane<N>& a, const Lane<N>& b, typename Double::Mask is_pair) {
+    const Double low = most(a.low, b.low), high = least(a.high, b.high), share(equal_share);
+    // The formula takes heights above the images; it has their squares and products only.
+    const Double x = most(least(bisector_place(a.x, a.y, a.sigma, b.x, b.y, b.sigma), high), low);
+    const Double distance = a.at(x), gap = distance - b.at(x), noise = share * distance;
+    const auto overlap = (low < high) & is_pair;
+    const auto equal = overlap & (size(gap) <= noise) & is_clear(a, b, low, high);
+    const auto first_wins = overlap & (x == high) & (gap < -noise);
+    const auto second_wins = overlap & (x == low) & (gap > noise);
+    left_high = select(equal, x, select(second_wins, low, a.high));
+    right_low = select(equal, x, select(first_wins, high, b.low));
+    unsure = (a.high > b.low) & is_pair & ~(equal | first_wins | second_wins);
+  }
+
+ private:
+  /// Where one interval ends inside the other, the whole rest of that is lost at a cut. So rounding must not be what
+  /// makes the one inside nearer.
+  static auto is_clear(const Lane<N>& a, const Lane<N>& b, const Double& low, const Double& high) {
+    const auto right_inside = b.high < a.high, left_inside = b.low < a.low;
+    const Double end = select(right_inside, high, low), distance = a.at(end), gap = distance - b.at(end);
+    const auto leads = select(right_inside, gap, -gap) > Double(equal_share) * distance;
+    return ~(right_inside | left_inside) | (leads & ~(right_inside & left_inside));
+  }
+};
+
+template <int N>
+[[gnu::flatten]] Trimmed cut(const WindowArrays& w, std::size_t count) {
+  using Double = Register<N>;
+  if (count == 1) return {false, w.empty(0)};
+  const Double last(static_cast<double>(static_cast<int>(count - 1)));
+  Double number = Double::count_from(0), right_low(w.low()[0]);
+  typename Double::Mask unsure{}, empty{};
+  Lane<N> present(w, 0);
   for (std::size_t i = 0; i < count; i += N, number = number + Double(static_cast<double>(N))) {
-    const Double ix(w.x + i), iy(w.y + i);
-    const auto right = (side_of_line(ix, iy, Double(w.high + i), x, y) > zero) & (number < last);
-    const auto left = (side_of_line(ix, iy, Double(w.low + i), x, y) < zero) & (number < last);
-    rights = rights + select(right, one, zero), right_numbers = right_numbers + select(right, number, zero);
-    lefts = lefts + select(left, one, zero), left_numbers = left_numbers + select(left, number, zero);
+    const Lane<N> following(w, i + N);
+    const auto is_window = number <= last;
+    const PairCut<N> pairs(present, Lane<N>(present, following), number < last);
+    const Double low = lanes_before(right_low, pairs.right_low), high = pairs.left_high;
+    low.store(w.low() + i), high.store(w.high() + i);
+    unsure |= pairs.unsure;
+    empty |= ~(low < high) & is_window;
+    right_low = pairs.right_low, present = following;
   }
-  const double right = rights.sum(), left = lefts.sum(), all = static_cast<double>(count);
-  const bool in_order =
-      2 * right_numbers.sum() == right * (2 * all - right - 1) && 2 * left_numbers.sum() == left * (left - 1);
-  return {count - static_cast<std::size_t>(right), static_cast<std::size_t>(left), in_order};
+  return {Double::any(unsure), Double::any(empty)};
+}
+
+/// Takes 64 windows at a time, as bits: those with lines to the right must be the last ones, those with lines to the
+/// left the first ones.
+template <int N>
+[[gnu::flatten]] Parting part(const WindowArrays& w, std::size_t count, double x, double y) {
+  using Double = Register<N>;
+  const Double zero;
+  Parting parting{count, count, true};
+  for (std::size_t base = 0; base < count; base += 64) {
+    const std::size_t size = count - base < 64 ? count - base : 64;
+    unsigned long long right = 0, left = 0;
+    for (std::size_t i = 0; i < size; i += N) {
+      const Double ix(w.x() + base + i), iy(w.y() + base + i);
+      const auto is_right = side_of_line(ix, iy, Double(w.high() + base + i), x, y) > zero;
+      const auto is_left = side_of_line(ix, iy, Double(w.low() + base + i), x, y) < zero;
+      right |= static_cast<unsigned long long>(Double::bits(is_right)) << i;
+      left |= static_cast<unsigned long long>(Double::bits(is_left)) << i;
+    }
+    const unsigned long long all = ~0ULL >> (64 - size);
+    right &= all, left &= all;
+    const unsigned long long not_right = all & ~right;
+    parting.in_order = parting.in_order && (not_right & (not_right + 1)) == 0 && (left & (left + 1)) == 0;
+    parting.in_order = parting.in_order && (parting.right_begin == count || not_right == 0) &&
+                       (parting.left_end == count || left == 0);
+    if (right != 0 && parting.right_begin == count)
+      parting.right_begin = base + static_cast<std::size_t>(__builtin_ctzll(right));
+    if (left != all && parting.left_end == count)
+      parting.left_end = base + static_cast<std::size_t>(__builtin_ctzll(~left));
+  }
+  return parting;
 }
 
 template <int N>

@@ -5,7 +5,8 @@
 #include <array>
 #include <cmath>
 
-#include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/image_pair.hpp"
+#include "plugins/common/exact/least_distance.hpp"
 #include "plugins/common/mesh/prefetch.hpp"
 
 namespace geodrome::chen_han {
@@ -15,7 +16,34 @@ namespace {
 /// place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its lines are
 /// not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
 bool is_close(const WindowArrays& w, double length) {
-  return -w.y[0] <= close_share * length && w.low[0] < w.x[0] && w.x[0] < w.high[0];
+  return -w.y()[0] <= close_share * length && w.low()[0] < w.x()[0] && w.x()[0] < w.high()[0];
+}
+
+/// About the least distance of ordered windows, by which they queue: exact where the distance changes by at most the
+/// way along them.
+double nearness(const Span& list) {
+  const WindowArrays& w = list.windows;
+  const double low = w.low()[0], high = w.high()[list.count - 1];
+  const Register<2> ends = ImagePair(w.get(0), w.get(list.count - 1)).at(both(low, high));
+  return std::max(0.0, 0.5 * (ends.v[0] + ends.v[1] - (high - low)));
+}
+
+/// Whether all points that windows reach are beyond a limit. Most are told by `near`, without a look at each of them.
+bool all_beyond(double limit, double near, const Span& list) {
+  const auto beyond = [limit](double distance) { return distance * (1 - rounding_share) > limit; };
+  if (!beyond(near)) return false;
+  const WindowArrays& w = list.windows;
+  for (std::size_t i = 0; i < list.count; ++i)
+    if (!beyond(least_distance(w.get(i), w.low()[i], w.high()[i]))) return false;
+  return true;
+}
+
+/// The lines to the left of the apex; the windows from `clipped` on also have lines to the apex, or beyond it.
+Child to_left(const Span& list, std::size_t clipped) { return {list, {0, static_cast<int>(clipped)}}; }
+
+/// The lines to the right of the apex; the first `clipped` windows also have lines to the apex, or beyond it.
+Child to_right(const Span& list, std::ptrdiff_t clipped) {
+  return {list, {static_cast<int>(clipped), static_cast<int>(list.count)}};
 }
 
 }  // namespace
@@ -23,11 +51,12 @@ bool is_close(const WindowArrays& w, double length) {
 Propagation::Propagation(const PackedMesh& surface, const Settings& settings)
     : VertexPropagation(surface),
       settings_(settings),
-      lanes_(&lanes(Simd::baseline)),
+      lanes_(&lanes(settings.simd)),
       wavefront_(surface),
       store_(wavefront_.store()),
       trimming_(*lanes_),
-      fans_(surface) {}
+      fans_(surface),
+      gathering_(surface, store_, fans_, trimming_) {}
 
 void Propagation::begin(bool keep, double limit) {
   wavefront_.clear();  // what a run that was stopped left behind
@@ -37,71 +66,26 @@ void Propagation::begin(bool keep, double limit) {
   trimming_.reset();
   fans_.reset();
   counts_ = {};
-  choose_lanes();
-}
-
-/// Wide registers for a run whose lists are long so far, since the processor lowers its clock for them.
-void Propagation::choose_lanes() {
-  constexpr std::uint64_t long_list = 7;
-  lanes_ = &lanes(counts_.propagated > long_list * counts_.passes ? settings_.simd : Simd::baseline);
-  trimming_.use(*lanes_);
 }
 
 void Propagation::next() {
   const Wavefront::Next next = wavefront_.pop([this](Index vertex) { prefetch(&labels_[vertex]); });
-  if (next.vertex != no_index)
-    emit(next.vertex);
-  else
-    process(next.half_edge, next.block);
+  if (next.block) {
+    const Gathering::Gathered gathered = gathering_.gather(next.element, *next.block);
+    if (gathered.list.count > 0) pass(next.element, gathered.list, gathered.depth);
+    gathering_.release(*next.block);
+  } else {
+    emit(next.element);
+  }
   counts_.trimmed = trimming_.dropped();
 }
 
 void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double, Entry entry) {
-  const Index block = store_.add(1);
-  Block& b = store_[block];
-  b.entry = entry, b.depth = 1;
-  b.windows().set(0, {apex.length - from.x, -from.y, from.sigma, 0, apex.length, from.origin, no_index});
-  b.windows().pad(1);
-  hand_on(block, apex.half_edge);
-}
-
-/// Carries on what waits at a half-edge, as one list.
-void Propagation::process(Index half_edge, Index block) {
-  if (store_[block].next != no_index || surface_.branches(half_edge)) return gather(half_edge, block);
-  pass(half_edge, {store_[block].windows(), store_[block].count}, store_[block].depth);
-  store_.release(block);
-}
-
-/// Several blocks, or windows that something nearer may have come to since: one of each entry in their order, the
-/// others merged into them.
-void Propagation::gather(Index half_edge, Index first_block) {
-  std::array<Index, 3> ordered{no_index, no_index, no_index};
-  blocks_.clear();
-  Index depth = no_index;
-  for (Index b = first_block; b != no_index; b = store_[b].next) {
-    depth = std::min(depth, store_[b].depth);
-    const Entry entry = store_[b].entry;
-    if (entry == Entry::loose || ordered[static_cast<std::size_t>(entry)] != no_index)
-      blocks_.push_back(b);
-    else
-      ordered[static_cast<std::size_t>(entry)] = b;
-  }
-  list_.clear();
-  for (const Index b : ordered) {
-    if (b == no_index) continue;
-    if (trimming_.append(list_, store_[b].windows(), store_[b].count))
-      store_.release(b);
-    else
-      blocks_.push_back(b);
-  }
-  for (const Index b : blocks_) {
-    trimming_.merge(list_, store_[b].windows(), store_[b].count);
-    store_.release(b);
-  }
-  if (surface_.branches(half_edge)) fans_.keep_nearest(half_edge, list_);
-  if (list_.empty()) return;
-  list_.arrays().pad(list_.size());
-  pass(half_edge, {list_.arrays(), list_.size()}, depth);
+  Block& block = store_.add(1);
+  block.entry = entry, block.depth = 1;
+  block.windows().set(0, {apex.length - from.x, -from.y, from.sigma, 0, apex.length, from.origin, no_index});
+  block.near = nearness(block.span());
+  hand_on(block, apex.face, apex.half_edge);
 }
 
 /// Carries windows across the face of a half-edge.
@@ -115,7 +99,7 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
   counts_.longest = std::max<std::uint64_t>(counts_.longest, list.count);
   if (keep_) {
     const Index first = kept_.keep(half_edge, list.windows, list.count);
-    for (std::size_t i = 0; i < list.count; ++i) list.windows.parent[i] = first + static_cast<Index>(i);
+    for (std::size_t i = 0; i < list.count; ++i) list.windows.names()[i].parent = first + static_cast<Index>(i);
   }
   if (!watched_.empty()) lower_watched(half_edge, list);
 
@@ -125,36 +109,34 @@ void Propagation::pass(Index half_edge, Span list, Index depth) {
   if (!parting.in_order) return carry_one_by_one(apex, list, depth + 1);
   const Split split = split_at(apex, list.windows, parting);
   lower_apex(apex, list, split);
-  carry_left(apex, list, split.last_left(), split.right_begin, depth + 1);
-  carry_right(apex, list, split.first_right(), split.left_end, depth + 1);
+  const std::size_t left_end = split.last_left(), right_begin = split.first_right();
+  carry(apex, to_left({list.windows, left_end}, split.right_begin),
+        to_right({list.windows.without(right_begin), list.count - right_begin},
+                 static_cast<std::ptrdiff_t>(split.left_end - right_begin)),
+        depth + 1);
 }
 
 /// Windows whose lines cross beyond the half-edge, so that they do not lie to the left and right of the apex in order.
 void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index depth) {
   const WindowArrays& w = list.windows;
-  const auto both = [&](std::size_t i) { return has_left(apex, w, i) && has_right(apex, w, i); };
+  sides_.clear();
   std::size_t best = list.count;
   for (std::size_t i = 0; i < list.count; ++i) {
-    const double x = both(i) ? w.x[i] : has_left(apex, w, i) ? w.high[i] : w.low[i];
+    const Sides sides{has_left(apex, w, i), has_right(apex, w, i), w.to(i, apex.x, apex.y)};
+    const double x = sides.both() ? w.x()[i] : sides.left ? w.high()[i] : w.low()[i];
     lower_apex_by(apex, list, i, x, way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex())));
-    if (both(i) && (best == list.count || w.to(i, apex.x, apex.y) < w.to(best, apex.x, apex.y))) best = i;
+    if (sides.both() && (best == list.count || sides.way < sides_[best].way)) best = i;
+    sides_.push_back(sides);
   }
-  const auto keeps_both = [&](std::size_t i) {
-    return w.to(i, apex.x, apex.y) <= w.to(best, apex.x, apex.y) * (1 + equal_share);
-  };
-  const auto choose = [&](auto&& goes) {
-    chosen_.clear();
-    for (std::size_t i = 0; i < list.count; ++i)
-      if (goes(i)) chosen_.push(w.get(i));
-    if (!chosen_.empty()) chosen_.arrays().pad(chosen_.size());
-    return Span{chosen_.arrays(), chosen_.size()};
-  };
-  const Span left =
-      choose([&](std::size_t i) { return has_left(apex, w, i) && (!both(i) || i <= best || keeps_both(i)); });
-  carry_left(apex, left, left.count, left.count, depth);
-  const Span right =
-      choose([&](std::size_t i) { return has_right(apex, w, i) && (!both(i) || i >= best || keeps_both(i)); });
-  carry_right(apex, right, 0, 0, depth);
+  const double equally_near = best < list.count ? sides_[best].way * (1 + equal_share) : 0;
+  chosen_left_.clear(), chosen_right_.clear();
+  for (std::size_t i = 0; i < list.count; ++i) {
+    const bool to_both = !sides_[i].both() || sides_[i].way <= equally_near;
+    if (sides_[i].left && (to_both || i <= best)) chosen_left_.push(w.get(i));
+    if (sides_[i].right && (to_both || i >= best)) chosen_right_.push(w.get(i));
+  }
+  const Span left = chosen_left_.span(), right = chosen_right_.span();
+  carry(apex, to_left(left, left.count), to_right(right, 0), depth);
 }
 
 /// Lowers the apex: by the best window that has a line to it, by the ends of windows that end beside it, and along the
@@ -162,29 +144,35 @@ void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index dep
 /// between two windows, by rounding or behind a saddle too flat to count as one.
 void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& split) {
   const WindowArrays& w = list.windows;
-  const auto bent = [&](std::size_t i, double x) {
-    lower_apex_by(apex, list, i, x, w.at(i, x) + std::sqrt((apex.x - x) * (apex.x - x) + apex.y * apex.y));
-  };
-  if (split.covered()) lower_apex_by(apex, list, split.best, w.x[split.best], w.to(split.best, apex.x, apex.y));
+  const double close = close_share * apex.length, label = labels_.distance(apex.vertex());
+  const auto matters = [&](double way, double sigma) { return way < label || way - sigma <= close; };
+  if (split.covered()) {
+    const double way = w.to(split.best, apex.x, apex.y);
+    if (matters(way, w.sigma()[split.best])) lower_apex_by(apex, list, split.best, w.x()[split.best], way);
+  }
   const std::size_t before = split.covered() ? split.right_begin : split.left_end;
   const std::size_t after = split.covered() ? split.left_end : split.right_begin;
-  if (before > 0) bent(before - 1, w.high[before - 1]);
-  if (after < list.count) bent(after, w.low[after]);
+  const std::size_t left = before > 0 ? before - 1 : 0, right = std::min(after, list.count - 1);
+  const Register<2> x = both(w.high()[left], w.low()[right]), along = x - Register<2>(apex.x);
+  const ImagePair images(w.get(left), w.get(right));
+  const Register<2> way = images.at(x) + root(along * along + Register<2>(apex.y * apex.y));
+  if (before > 0 && matters(way.v[0], w.sigma()[left])) lower_apex_by(apex, list, left, x.v[0], way.v[0]);
+  if (after < list.count && matters(way.v[1], w.sigma()[right])) lower_apex_by(apex, list, right, x.v[1], way.v[1]);
   lower_along_edges(apex);
 }
 
 /// By window i, coming from its image, or from (x, 0) if the way bends there.
 void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t i, double x, double distance) {
   const WindowArrays& w = list.windows;
-  const PseudoSource image{w.x[i], w.y[i], w.sigma[i], w.origin[i]};
-  lower_apex_from(apex, image, x, distance, [&] { return Step{.window = w.parent[i]}; });
+  const PseudoSource image{w.x()[i], w.y()[i], w.sigma()[i], w.names()[i].origin};
+  lower_apex_from(apex, image, x, distance, [&] { return Step{.window = w.names()[i].parent}; });
 }
 
 void Propagation::lower_watched(Index half_edge, const Span& list) {
   for_each_watched(half_edge, [&](Watched& watched, double x, double y) {
     for (std::size_t i = 0; i < list.count; ++i) {
       const double way = way_through(list.windows.get(i), x, y, watched.distance);
-      if (way < watched.distance) watched.distance = way, watched.source = source_of(list.windows.origin[i]);
+      if (way < watched.distance) watched.distance = way, watched.source = source_of(list.windows.names()[i].origin);
     }
   });
 }
@@ -192,80 +180,82 @@ void Propagation::lower_watched(Index half_edge, const Span& list) {
 // ---------------------------------------------------------------------------------------------------------------------
 // Across a face
 
-/// The lines to the left of the apex, of the first `end` windows; those from `clipped` on also have lines to the apex,
-/// or beyond it.
-void Propagation::carry_left(const Apex& apex, const Span& list, std::size_t end, std::size_t clipped, Index depth) {
-  if (end == 0 || apex.left_is_boundary()) return;
-  const Index block = carry({list.windows, end}, turn_left(apex));
-  const WindowArrays child = store_[block].windows();
-  for (std::size_t i = clipped; i < end; ++i) child.high[i] = apex.left_length();
-  send(block, apex.left(), Entry::left, depth);
+/// Carries windows through the edges to the left and the right of the apex.
+void Propagation::carry(const Apex& apex, const Child& left, const Child& right, Index depth) {
+  Block *left_block = nullptr, *right_block = nullptr;  // both sides at once, as far as nothing depends on one of them
+  if (left.list.count > 0 && !apex.left_is_boundary()) left_block = &carried(left, turn_left(apex), Entry::left, depth);
+  if (right.list.count > 0 && !apex.right_is_boundary())
+    right_block = &carried(right, turn_right(apex), Entry::right, depth);
+  if (left_block) hand_on(*left_block, apex.face, apex.left());
+  if (right_block) hand_on(*right_block, apex.face, apex.right());
 }
 
-/// The lines to the right of the apex, of the windows from `begin` on; those before `clipped` also have lines to the
-/// apex, or beyond it.
-void Propagation::carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped, Index depth) {
-  if (begin == list.count || apex.right_is_boundary()) return;
-  const Index block = carry({list.windows.without(begin), list.count - begin}, turn_right(apex));
-  const WindowArrays child = store_[block].windows();
-  for (std::size_t i = begin; i < clipped; ++i) child.low[i - begin] = 0;
-  send(block, apex.right(), Entry::right, depth);
-}
-
-/// A block with the windows as seen from another edge.
-Index Propagation::carry(const Span& list, const Turn& turn) {
-  const Index block = store_.add(list.count);
-  lanes_->carry(list.windows, list.count, turn, store_[block].windows());
+Block& Propagation::carried(const Child& child, const Turn& turn, Entry entry, Index depth) {
+  Block& block = store_.add(child.list.count);
+  block.entry = entry, block.depth = depth;
+  lanes_->carry(child.list.windows, child.list.count, turn, child.clip, block.windows());
+  block.near = nearness(block.span());
   return block;
 }
 
-/// Trims a block of windows that left a face through half-edge `edge`, in the frame of the other side, and hands on
-/// what is left of it.
-void Propagation::send(Index block, Index edge, Entry entry, Index depth) {
-  Block& b = store_[block];
-  b.entry = entry, b.depth = depth;
-  const WindowArrays windows = b.windows();
-  windows.pad(b.count);
-  b.count = static_cast<std::uint32_t>(trimming_.trim(windows, b.count, breaks_));
-  if (!breaks_.empty()) split_off(block, edge);
-  hand_on(block, edge);
-}
-
-/// What is behind a break of a block waits as a block of its own.
-void Propagation::split_off(Index block, Index edge) {
-  const std::vector<std::uint32_t> breaks(breaks_.rbegin(), breaks_.rend());  // handing on may trim, with breaks_
-  for (const std::uint32_t first : breaks) {
-    const Index rest = store_.add(store_[block].count - first);
-    copy_windows(store_[block].windows().without(first), store_[rest].count, store_[rest].windows());
-    store_[rest].windows().pad(store_[rest].count);
-    store_[rest].entry = store_[block].entry, store_[rest].depth = store_[block].depth;
-    store_[block].count = first;
-    hand_on(rest, edge);
+/// Lets a block wait at the other half-edges of an edge. Its windows are cut against each other when they are carried
+/// on, together with what comes from elsewhere.
+void Propagation::hand_on(Block& block, const PackedMesh::Face& face, Index edge) {
+  const double length = face.length[edge % 3];
+  bool at_once = false;
+  if (block.count == 1) {
+    if (block.windows().empty(0)) {
+      trimming_.drop(1);
+      return store_.release(block);
+    }
+    at_once = is_close(block.windows(), length);
   }
+  if (all_beyond(limit_, block.near, block.span())) return store_.release(block);
+  const PackedMesh::Across across = PackedMesh::only_across(face, static_cast<int>(edge % 3));
+  if (at_once || across.half_edge == no_index || across.mirrored) return hand_on_elsewhere(block, edge);
+  counts_.created += block.count;
+  wavefront_.push_block(block, across.half_edge, length);
 }
 
-/// Leaves of a block at an edge of more than two faces what is nearer than all that came there before.
-Index Propagation::claim(Index block, Index edge) {
-  const WindowList& parts = fans_.claim(edge, store_[block].windows(), store_[block].count);
-  const Index rest = store_.add(parts.size());
-  copy_windows(parts.arrays(), parts.size(), store_[rest].windows());
-  if (!parts.empty()) store_[rest].windows().pad(parts.size());
-  store_[rest].entry = store_[block].entry, store_[rest].depth = store_[block].depth;
+/// Lets a block wait at half-edges that are not one that runs against the edge, or pass it at once.
+void Propagation::hand_on_elsewhere(Block& block, Index edge) {
+  if (surface_.branches(edge)) return hand_on_claimed(block, edge);
+  if (block.count == 1 && is_close(block.windows(), surface_.length(edge))) return pass_at_once(block, edge);
+  counts_.created += wavefront_.push_copies(block, edge);
+}
+
+/// At an edge of more than two faces only what is nearer than all that came there before goes on.
+void Propagation::hand_on_claimed(Block& block, Index edge) {
+  Span list = block.span();
+  std::vector<Span> parts;
+  gathering_.trim(list, parts);
+  parts.push_back(list);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    Block& part = claimed(parts[i], block, edge);
+    if (part.count == 0)
+      store_.release(part);
+    else if (part.count == 1 && is_close(part.windows(), surface_.length(edge)))
+      pass_at_once(part, edge);
+    else
+      counts_.created += wavefront_.push_copies(part, edge);
+  }
   store_.release(block);
+}
+
+/// A block of what of some windows of a block is nearer than all that came to an edge before.
+Block& Propagation::claimed(const Span& windows, const Block& block, Index edge) {
+  const WindowList& parts = fans_.claim(edge, windows.windows, windows.count);
+  Block& rest = store_.add(parts.size());
+  copy_windows(parts.arrays(), parts.size(), rest.windows());
+  rest.entry = block.entry, rest.depth = block.depth, rest.near = block.near;
   return rest;
 }
 
-/// Lets a block wait at the other half-edges of an edge.
-void Propagation::hand_on(Index block, Index edge) {
-  if (surface_.branches(edge)) block = claim(block, edge);
-  if (store_[block].count != 1 || !is_close(store_[block].windows(), surface_.length(edge))) {
-    counts_.created += wavefront_.push_block(block, edge, limit_);
-    return;
-  }
+void Propagation::pass_at_once(Block& block, Index edge) {
   surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
-    const Index own = wavefront_.copy_of(block, mirrored, surface_.length(edge));
+    Block& own = wavefront_.copy_of(block, mirrored, surface_.length(edge));
     ++counts_.created;
-    pass(half_edge, {store_[own].windows(), 1}, store_[own].depth);
+    pass(half_edge, own.span(), own.depth);
     store_.release(own);
   });
   store_.release(block);
@@ -278,8 +268,15 @@ void Propagation::filter(Span& list, double length, double at_start, double at_e
   const WindowArrays& w = list.windows;
   std::size_t first = 0, last = list.count;
   const auto longer = [](double way, double other) { return way > other + rounding_share * way; };
-  while (first < last && longer(w.at(first, w.high[first]), at_start + w.high[first])) ++first;
-  while (first < last && longer(w.at(last - 1, w.low[last - 1]), at_end + (length - w.low[last - 1]))) --last;
+  const auto start_is_nearer = [&](double way, std::size_t i) { return longer(way, at_start + w.high()[i]); };
+  const auto end_is_nearer = [&](double way, std::size_t i) { return longer(way, at_end + (length - w.low()[i])); };
+  const Register<2> ways = ImagePair(w.get(0), w.get(last - 1)).at(both(w.high()[0], w.low()[last - 1]));
+  if (start_is_nearer(ways.v[0], 0)) do
+      ++first;
+    while (first < last && start_is_nearer(w.at(first, w.high()[first]), first));
+  if (first < last && end_is_nearer(ways.v[1], last - 1)) do
+      --last;
+    while (first < last && end_is_nearer(w.at(last - 1, w.low()[last - 1]), last - 1));
   counts_.filtered += list.count - (last - first);
   list = {w.without(first), last - first};
 }

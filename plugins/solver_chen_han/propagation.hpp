@@ -10,6 +10,7 @@
 #include "plugins/common/exact/vertex_propagation.hpp"
 #include "plugins/solver_chen_han/apex.hpp"
 #include "plugins/solver_chen_han/fan_windows.hpp"
+#include "plugins/solver_chen_han/gathering.hpp"
 #include "plugins/solver_chen_han/kept_windows.hpp"
 #include "plugins/solver_chen_han/settings.hpp"
 #include "plugins/solver_chen_han/trimming.hpp"
@@ -24,6 +25,12 @@ struct Counts {
   std::uint64_t filtered = 0;    ///< windows dropped because a vertex is a shorter way
   std::uint64_t trimmed = 0;     ///< windows dropped because other windows are shorter everywhere
   std::uint64_t longest = 0;     ///< the longest list carried on
+};
+
+/// What of a list goes on through one edge of the face, and where it is clipped at the apex.
+struct Child {
+  Span list;
+  Clip clip;
 };
 
 /// Windows carried over a surface from its sources, half-edge by half-edge, nearest first (Chen and Han 1990, Xin and
@@ -66,21 +73,18 @@ class Propagation : public VertexPropagation<Propagation, Step> {
  private:
   friend VertexPropagation;
 
-  /// Windows where they are.
-  struct Span {
-    WindowArrays windows;
-    std::size_t count;
+  /// Where a window has lines, seen from the apex, and the way to it.
+  struct Sides {
+    bool left, right;
+    double way;
+    bool both() const { return left && right; }
   };
 
   Wavefront& waiting() { return wavefront_; }
-  void polled() { choose_lanes(); }
   std::uint64_t carried() const { return counts_.propagated; }
   void next();
   void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
 
-  void choose_lanes();
-  void process(Index half_edge, Index block);
-  void gather(Index half_edge, Index first_block);
   void pass(Index half_edge, Span list, Index depth);
   void filter(Span& list, double length, double at_start, double at_end);
   void lower_watched(Index half_edge, const Span& list);
@@ -89,13 +93,13 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void lower_apex_by(const Apex& apex, const Span& list, std::size_t window, double x, double distance);
 
   void carry_one_by_one(const Apex& apex, const Span& list, Index depth);
-  void carry_left(const Apex& apex, const Span& list, std::size_t end, std::size_t clipped, Index depth);
-  void carry_right(const Apex& apex, const Span& list, std::size_t begin, std::size_t clipped, Index depth);
-  Index carry(const Span& list, const Turn& turn);
-  void send(Index block, Index edge, Entry entry, Index depth);
-  void split_off(Index block, Index edge);
-  Index claim(Index block, Index edge);
-  void hand_on(Index block, Index edge);
+  void carry(const Apex& apex, const Child& left, const Child& right, Index depth);
+  Block& carried(const Child& child, const Turn& turn, Entry entry, Index depth);
+  void hand_on(Block& block, const PackedMesh::Face& face, Index edge);
+  void hand_on_elsewhere(Block& block, Index edge);
+  void hand_on_claimed(Block& block, Index edge);
+  Block& claimed(const Span& windows, const Block& block, Index edge);
+  void pass_at_once(Block& block, Index edge);
 
   Settings settings_;
   const Lanes* lanes_;
@@ -103,10 +107,10 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   WindowStore& store_;
   Trimming trimming_;
   FanWindows fans_;
+  Gathering gathering_;
   KeptWindows kept_;
-  WindowList list_, chosen_;
-  std::vector<std::uint32_t> breaks_;
-  std::vector<Index> blocks_;
+  WindowList chosen_left_, chosen_right_;
+  std::vector<Sides> sides_;
   Counts counts_;
 };
 

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "geodrome/solver_kit/packed_mesh.hpp"
+#include "plugins/common/exact/tolerances.hpp"
 #include "plugins/common/mesh/bucket_queue.hpp"
 #include "plugins/common/mesh/prefetch.hpp"
 #include "plugins/solver_chen_han/window_store.hpp"
@@ -27,7 +29,8 @@ class Wavefront {
 
   /// What left the queue: a half-edge with the first of its blocks, which are the caller's now, or a vertex.
   struct Next {
-    Index half_edge = no_index, block = no_index, vertex = no_index;
+    Block* block;  ///< null for a vertex
+    Index element;
   };
   /// Takes the next, and fetches the memory that those after it will need; `fetch_vertex(v)` is called for vertices
   /// that one of them will need. Precondition: not empty.
@@ -36,18 +39,33 @@ class Wavefront {
     BucketQueue::Entry entry;
     do entry = queue_.pop(), fetch_ahead(fetch_vertex);
     while (entry.key != slots_[entry.element].key);
-    return taken(entry.element);
+    --waiting_;
+    Slot& slot = slots_[entry.element];
+    slot.key = not_waiting;
+    if (entry.element >= half_edges_) return {nullptr, entry.element - half_edges_};
+    return {&store_[std::exchange(slot.block, no_index)], entry.element};
   }
 
   void push_vertex(Index vertex, double distance) { wait(half_edges_ + vertex, key_of(distance)); }
 
-  /// Lets a block, which becomes the wavefront's, wait at every other half-edge on an edge. It is in the frame of one
-  /// that runs against `edge`. What is farther than `limit` everywhere is dropped. Returns the number of windows that
-  /// wait.
-  std::size_t push_block(Index block, Index edge, double limit);
+  /// Lets a block, which becomes the wavefront's, wait at a half-edge in whose frame it is, `length` long.
+  /// Precondition: the block's `near` is set. A half-edge that waits keeps its place in the queue unless the block is
+  /// nearer by more than a quarter of the patience: hardly anything is carried on twice for that, and less is queued
+  /// twice.
+  void push_block(Block& block, Index half_edge, double length) {
+    const Slot& slot = slots_[half_edge];
+    block.next = slot.block;
+    slots_[half_edge].block = block.number;
+    const float key = key_of(block.near + patience * length), enough = static_cast<float>(0.25 * patience * length);
+    if (slot.key == not_waiting || key < slot.key - enough) wait(half_edge, key);
+  }
+
+  /// Lets copies of a block, which is released, wait at every other half-edge on an edge. The block is in the frame of
+  /// one that runs against `edge`. Returns the number of windows that wait.
+  std::size_t push_copies(Block& block, Index edge);
 
   /// A copy of a block, mirrored if the half-edge that it is for runs the same way as its edge, `length` long.
-  Index copy_of(Index block, bool mirrored, double length);
+  Block& copy_of(Block& block, bool mirrored, double length);
 
   WindowStore& store() { return store_; }
   std::size_t bytes() const { return store_.bytes() + queue_.bytes() + slots_.capacity() * sizeof(Slot); }
@@ -63,14 +81,14 @@ class Wavefront {
   static float key_of(double distance) { return static_cast<float>(std::min(distance, 1e38)); }
   template <class FetchVertex>
   void fetch_ahead(FetchVertex&& fetch_vertex) const {
-    queue_.look_ahead(10, [&](Index soon) {
+    queue_.look_ahead(8, [&](Index soon) {
       prefetch(&slots_[soon]);
       if (soon >= half_edges_)
         prefetch(surface_.corners(soon - half_edges_).data());
       else
         prefetch_two_lines(surface_.face_of(soon));
     });
-    queue_.look_ahead(4, [&](Index soon) {
+    queue_.look_ahead(3, [&](Index soon) {
       if (soon >= half_edges_) {
         for (const Index corner : surface_.corners(soon - half_edges_)) prefetch_two_lines(surface_.face_of(corner));
         return;
@@ -81,10 +99,9 @@ class Wavefront {
         const Index across = PackedMesh::only_across(face, i).half_edge;
         if (across != no_index) prefetch(&slots_[across]);
       }
-      if (slots_[soon].block != no_index) prefetch(&store_[slots_[soon].block]);
+      if (slots_[soon].block != no_index) prefetch(store_.place_of(slots_[soon].block));
     });
   }
-  Next taken(Index element);
   void wait(Index element, float key) {
     Slot& slot = slots_[element];
     waiting_ += slot.key == not_waiting;

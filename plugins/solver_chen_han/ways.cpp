@@ -38,7 +38,7 @@ std::array<Counter, 8> Propagation::counters() const {
 
 std::size_t Propagation::bytes() const {
   return VertexPropagation::bytes() + wavefront_.bytes() + trimming_.bytes() + fans_.bytes() + kept_.bytes() +
-         list_.bytes() + chosen_.bytes();
+         gathering_.bytes() + chosen_left_.bytes() + chosen_right_.bytes();
 }
 
 }  // namespace geodrome::chen_han

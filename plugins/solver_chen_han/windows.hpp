@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -27,93 +28,108 @@ struct Window {
 };
 
 /// Registers hold at most this many doubles.
-inline constexpr std::size_t most_lanes = 4;
-/// Loops over windows, and over pairs of neighbours, may read and write up to so many windows beyond the last one.
+inline constexpr std::size_t most_lanes = 8;
+/// Loops over windows may write up to so many windows beyond the last one.
 inline constexpr std::size_t padding = most_lanes - 1;
 
-/// Windows as arrays, one for each member, so that SIMD lanes read them as they are. Does not own its memory.
-struct WindowArrays {
-  static constexpr std::size_t doubles_per_window = 6;  // two indices share the sixth
+/// Windows as arrays, one for each member, so that SIMD lanes read them as they are: array k begins k `stride`s behind
+/// the first. Does not own its memory.
+class WindowArrays {
+ public:
+  static constexpr std::size_t doubles_per_window = 6;  // the names share the sixth
 
-  double *x, *y, *sigma, *low, *high;
-  Index *origin, *parent;
+  /// The names of a window, which no formula needs.
+  struct Names {
+    Index origin, parent;
+  };
+  static_assert(sizeof(Names) == sizeof(double));
 
-  WindowArrays(double* memory, std::size_t capacity)
-      : x(memory),
-        y(memory + capacity),
-        sigma(memory + 2 * capacity),
-        low(memory + 3 * capacity),
-        high(memory + 4 * capacity),
-        origin(reinterpret_cast<Index*>(memory + 5 * capacity)),
-        parent(origin + capacity) {}
+  WindowArrays(double* memory, std::size_t stride) : memory_(memory), stride_(stride) {}
+
+  double* x() const { return memory_; }
+  double* y() const { return memory_ + stride_; }
+  double* sigma() const { return memory_ + 2 * stride_; }
+  double* low() const { return memory_ + 3 * stride_; }
+  double* high() const { return memory_ + 4 * stride_; }
+  Names* names() const { return reinterpret_cast<Names*>(memory_ + 5 * stride_); }
 
   /// The same windows without the first `count`.
-  WindowArrays without(std::size_t count) const {
-    WindowArrays rest = *this;
-    rest.x += count, rest.y += count, rest.sigma += count, rest.low += count, rest.high += count;
-    rest.origin += count, rest.parent += count;
-    return rest;
-  }
+  WindowArrays without(std::size_t count) const { return {memory_ + count, stride_}; }
 
-  Window get(std::size_t i) const { return {x[i], y[i], sigma[i], low[i], high[i], origin[i], parent[i]}; }
-  void set(std::size_t i, const Window& w) const {
-    x[i] = w.x, y[i] = w.y, sigma[i] = w.sigma, low[i] = w.low, high[i] = w.high;
-    origin[i] = w.origin, parent[i] = w.parent;
+  Window get(std::size_t i) const {
+    return {x()[i], y()[i], sigma()[i], low()[i], high()[i], names()[i].origin, names()[i].parent};
   }
-  bool empty(std::size_t i) const { return !(low[i] < high[i]); }
+  void set(std::size_t i, const Window& w) const {
+    x()[i] = w.x, y()[i] = w.y, sigma()[i] = w.sigma, low()[i] = w.low, high()[i] = w.high;
+    names()[i] = {w.origin, w.parent};
+  }
+  bool empty(std::size_t i) const { return !(low()[i] < high()[i]); }
   double at(std::size_t i, double px) const { return to(i, px, 0); }
   double to(std::size_t i, double px, double py) const {
-    return sigma[i] + std::sqrt((px - x[i]) * (px - x[i]) + (py - y[i]) * (py - y[i]));
+    const double dx = px - x()[i], dy = py - y()[i];
+    return sigma()[i] + std::sqrt(dx * dx + dy * dy);
   }
 
-  /// Puts copies of the last window behind it: lanes that nobody asked for then compute with sound numbers.
-  void pad(std::size_t count) const {
-    const Window last = get(count - 1);
-    for (std::size_t i = count; i < count + padding; ++i)
-      x[i] = last.x, y[i] = last.y, sigma[i] = last.sigma, low[i] = last.low, high[i] = last.high;
-  }
+ private:
+  double* memory_;
+  std::size_t stride_;
 };
 
-/// Copies windows, `most_lanes` at a time; both must be padded. They may overlap if `to` is before `from`.
+/// Windows where they are.
+struct Span {
+  WindowArrays windows;
+  std::size_t count;
+};
+
+/// Copies are made of so many windows at a time.
+inline constexpr std::size_t copied_at_once = 4;
+inline std::size_t room_for_copy(std::size_t count) {
+  return (count + copied_at_once - 1) / copied_at_once * copied_at_once;
+}
+
+/// Copies windows; `to` has `room_for_copy(count)`. They may overlap if `to` is before `from`.
 inline void copy_windows(const WindowArrays& from, std::size_t count, const WindowArrays& to) {
-  for (std::size_t i = 0; i < count; i += most_lanes) {
-    const auto copy = [i]<class Number>(const Number* source, Number* target) {
-      std::array<Number, most_lanes> taken;
+  for (std::size_t i = 0; i < count; i += copied_at_once) {
+    const auto copy = [i]<class Member>(const Member* source, Member* target) {
+      std::array<Member, copied_at_once> taken;
       std::memcpy(taken.data(), source + i, sizeof taken);
       std::memcpy(target + i, taken.data(), sizeof taken);
     };
-    copy(from.x, to.x), copy(from.y, to.y), copy(from.sigma, to.sigma), copy(from.low, to.low);
-    copy(from.high, to.high), copy(from.origin, to.origin), copy(from.parent, to.parent);
+    copy(from.x(), to.x()), copy(from.y(), to.y()), copy(from.sigma(), to.sigma()), copy(from.low(), to.low());
+    copy(from.high(), to.high()), copy(from.names(), to.names());
   }
 }
 
 /// A list of windows that grows; kept from pass to pass.
 class WindowList {
  public:
-  WindowList() { reserve(64); }
+  WindowList() { grow(64); }
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
   const WindowArrays& arrays() const { return arrays_; }
   std::size_t bytes() const { return capacity_ * WindowArrays::doubles_per_window * sizeof(double); }
 
-  /// Sets the size; windows beyond the old one have any value.
+  /// Sets the size; windows beyond the old one have any value. There is room for `2 * most_lanes` more.
   void resize(std::size_t size) {
-    if (size + 2 * most_lanes > capacity_) reserve(2 * (size + most_lanes));
+    if (size + 2 * most_lanes > capacity_) grow(2 * (size + most_lanes));
     size_ = size;
   }
   void clear() { size_ = 0; }
+  /// Becomes a copy of a list that is elsewhere, with room for `room` windows.
+  void assign(const Span& list, std::size_t room = 0) {
+    size_ = 0;
+    resize(std::max(room, list.count));
+    size_ = list.count;
+    copy_windows(list.windows, list.count, arrays_);
+  }
+  Span span() const { return {arrays_, size_}; }
   void push(const Window& window) {
     resize(size_ + 1);
     arrays_.set(size_ - 1, window);
   }
-  void append(const WindowArrays& source, std::size_t count) {
-    const std::size_t end = size_;
-    resize(end + count);
-    copy_windows(source, count, arrays_.without(end));
-  }
 
  private:
-  void reserve(std::size_t capacity) {
+  void grow(std::size_t capacity) {
     auto memory = std::make_unique<double[]>(capacity * WindowArrays::doubles_per_window);
     const WindowArrays bigger(memory.get(), capacity);
     if (size_ > 0) copy_windows(arrays_, size_, bigger);

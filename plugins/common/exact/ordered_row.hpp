@@ -45,7 +45,7 @@ std::size_t trim_row(const Row& row, std::size_t count, std::vector<std::uint32_
   std::size_t start = 0;  // of the present ordered run
   const auto take = [&](std::size_t i) {
     if (is_empty(row, i)) return false;
-    while (end > start) {
+    while (end > start && row.high(end - 1) > row.low(i)) {
       const PairOrder order = settle_in_row(row, end - 1, i);
       if (order == PairOrder::drop_right || is_empty(row, i)) return false;
       if (order == PairOrder::apart) break;

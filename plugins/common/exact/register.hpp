@@ -41,9 +41,17 @@ struct Register {
   friend Mask operator<=(Register a, Register b) { return a.v <= b.v; }
   friend Mask operator>=(Register a, Register b) { return a.v >= b.v; }
   friend Mask operator==(Register a, Register b) { return a.v == b.v; }
-  friend Register select(Mask mask, Register yes, Register no) { return mask ? yes.v : no.v; }
+  /// Chooses lane by lane. Precondition: all bits of a lane of the mask are equal.
+  friend Register select(Mask mask, Register yes, Register no) {
+#ifdef __AVX__
+    if constexpr (N == 4) return __builtin_ia32_blendvpd256(no.v, yes.v, (Double)mask);
+    if constexpr (N == 2) return __builtin_ia32_blendvpd(no.v, yes.v, (Double)mask);
+#endif
+    return (Double)((mask & (Mask)yes.v) | (~mask & (Mask)no.v));
+  }
   friend Register least(Register a, Register b) { return a.v < b.v ? a.v : b.v; }
   friend Register most(Register a, Register b) { return a.v > b.v ? a.v : b.v; }
+  friend Register size(Register a) { return most(a, -a); }
   friend Register root(Register a) {
     Double r;
     for (int k = 0; k < N; ++k) r[k] = __builtin_sqrt(a.v[k]);
@@ -59,10 +67,31 @@ struct Register {
     for (int k = 0; k < N; ++k) all += v[k];
     return all;
   }
-  static bool any(Mask mask) {
-    long long all = 0;
-    for (int k = 0; k < N; ++k) all |= mask[k];
-    return all != 0;
+  /// Returns the lanes of a mask as bits, lane 0 lowest.
+  static unsigned bits(Mask mask) {
+#ifdef __AVX__
+    if constexpr (N == 4) return static_cast<unsigned>(__builtin_ia32_movmskpd256((Double)mask));
+#endif
+#ifdef __SSE2__
+    if constexpr (N == 2) return static_cast<unsigned>(__builtin_ia32_movmskpd((Double)mask));
+#endif
+    unsigned all = 0;
+    for (int k = 0; k < N; ++k) all |= static_cast<unsigned>(mask[k] & 1) << k;
+    return all;
+  }
+  static bool any(Mask mask) { return bits(mask) != 0; }
+  /// Returns the lanes of a followed by those of b, without the first, and the last lane of a before those of b.
+  friend Register next_lanes(Register a, Register b) {
+    if constexpr (N == 2)
+      return __builtin_shufflevector(a.v, b.v, 1, 2);
+    else
+      return __builtin_shufflevector(a.v, b.v, 1, 2, 3, 4);
+  }
+  friend Register lanes_before(Register a, Register b) {
+    if constexpr (N == 2)
+      return __builtin_shufflevector(a.v, b.v, 1, 2);
+    else
+      return __builtin_shufflevector(a.v, b.v, 3, 4, 5, 6);
   }
 };
 

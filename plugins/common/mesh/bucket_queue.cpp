@@ -32,20 +32,23 @@ void BucketQueue::open_next() {
   else
     do ++present_number_;
     while (present_number_ < first_beyond_ && bucket(present_number_).empty());
-  in_ring_ -= bucket(present_number_).size();
-  std::swap(present_, bucket(present_number_));
+  std::vector<Entry>& next = bucket(present_number_);
+  in_ring_ -= next.size();
+  present_.assign(next.begin(), next.end());  // each bucket keeps its own memory, so that it settles
+  next.clear();
   enough_ = std::numeric_limits<std::size_t>::max();
   if (present_number_ >= first_beyond_) {
     first_beyond_ = nowhere;
-    const std::vector<Entry> beyond = std::exchange(beyond_, {});
-    count_ -= beyond.size();
-    for (const Entry& entry : beyond) push(entry.element, entry.key);
+    std::swap(beyond_, coming_);
+    count_ -= coming_.size();
+    for (const Entry& entry : coming_) push(entry.element, entry.key);
+    coming_.clear();
   }
   enough_ = 3 * present_.size() + 16;
 }
 
 std::size_t BucketQueue::bytes() const {
-  std::size_t entries = present_.capacity() + beyond_.capacity();
+  std::size_t entries = present_.capacity() + beyond_.capacity() + coming_.capacity();
   for (const auto& bucket : ring_) entries += bucket.capacity();
   return entries * sizeof(Entry) + ring_.capacity() * sizeof(ring_[0]);
 }

@@ -22,6 +22,7 @@ class BucketQueue {
     float key;
     Index element;
   };
+  static constexpr float buckets_a_unit = 16;  ///< of keys
 
   bool empty() const { return count_ == 0; }
   void clear();
@@ -61,7 +62,6 @@ class BucketQueue {
 
  private:
   static constexpr std::int64_t size = 1024;
-  static constexpr float buckets_a_unit = 8;
   static constexpr float farthest = 1e15F;  ///< all beyond it is one bucket
   static constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::max();
 
@@ -85,7 +85,7 @@ class BucketQueue {
   std::size_t enough_ = 0;      ///< with more than so many entries it becomes a heap
   bool is_heap_ = false;
   std::vector<std::vector<Entry>> ring_ = std::vector<std::vector<Entry>>(size);
-  std::vector<Entry> beyond_;
+  std::vector<Entry> beyond_, coming_;  ///< coming: from beyond into the ring
   std::int64_t present_number_ = -1, first_beyond_ = nowhere;
   std::size_t count_ = 0, in_ring_ = 0;
 };

@@ -50,7 +50,7 @@ TEST(BucketQueue, IsInOrderUpToABucket) {
     EXPECT_GT(keys.size(), 10000u);
     float highest = 0;
     for (const float key : keys) {
-      EXPECT_GE(key, highest - 0.126F);
+      EXPECT_GE(key, highest - 1.01F / BucketQueue::buckets_a_unit);
       highest = std::max(highest, key);
     }
   }
@@ -62,7 +62,8 @@ TEST(BucketQueue, SortsABucketThatFillsUp) {
   BucketQueue queue;
   queue.push(0, 0);
   queue.pop();
-  for (Index i = 0; i < 1000; ++i) queue.push(i, static_cast<float>(random.uniform(0, 0.12)));
+  for (Index i = 0; i < 1000; ++i)
+    queue.push(i, static_cast<float>(random.uniform(0, 0.96 / BucketQueue::buckets_a_unit)));
   float last = 0;
   while (!queue.empty()) {
     const float key = queue.pop().key;

@@ -247,8 +247,8 @@ TEST(ChenHan, ARadiusPropagatesFewerWindows) {
   }
 }
 
-TEST(ChenHan, AProcessorLevelThatIsNotThereIsAnErrorOfTheOption) {
-  EXPECT_THROW(load_solver("chen_han:simd=avx512"), OptionError);
+TEST(ChenHan, AnUnknownProcessorLevelIsAnErrorOfTheOption) {
+  EXPECT_THROW(load_solver("chen_han:simd=avx1024"), OptionError);
 }
 
 }  // namespace

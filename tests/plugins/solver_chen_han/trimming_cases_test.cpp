@@ -7,6 +7,7 @@
 
 #include "plugins/solver_chen_han/trimming.hpp"
 #include "tests/plugins/common/window_scenes.hpp"
+#include "tests/plugins/solver_chen_han/levels.hpp"
 
 /// Trimming where a rule decides: ties, windows inside others, windows of no width.
 namespace geodrome::chen_han::test {
@@ -44,7 +45,6 @@ class TrimmingCases : public testing::TestWithParam<Simd> {
   static WindowList list_of(const std::vector<Window>& windows) {
     WindowList list;
     for (const Window& w : windows) list.push(w);
-    if (!list.empty()) list.arrays().pad(list.size());
     return list;
   }
   /// By `trim`; without breaks.
@@ -55,16 +55,10 @@ class TrimmingCases : public testing::TestWithParam<Simd> {
     EXPECT_TRUE(breaks.empty());
     return listed(list.arrays(), count);
   }
-  std::vector<Window> appended(const std::vector<Window>& left, const std::vector<Window>& right) {
-    WindowList list = list_of(left);
-    const WindowList other = list_of(right);
-    EXPECT_TRUE(trimming_.append(list, other.arrays(), other.size()));
-    return listed(list.arrays(), list.size());
-  }
   std::vector<Window> merged(const std::vector<Window>& a, const std::vector<Window>& b) {
     WindowList list = list_of(a);
     const WindowList other = list_of(b);
-    trimming_.merge(list, other.arrays(), other.size());
+    trimming_.merge(list, other.span());
     return listed(list.arrays(), list.size());
   }
 
@@ -74,7 +68,6 @@ class TrimmingCases : public testing::TestWithParam<Simd> {
 TEST_P(TrimmingCases, OfTwoEqualWindowsOneIsKeptWhole) {
   const Window w = window(0, 0, -1, 2, 7);
   EXPECT_TRUE(equal(trimmed({w, w}), {w}));
-  EXPECT_TRUE(equal(appended({w}, {w}), {w}));
   EXPECT_TRUE(equal(merged({w}, {w}), {w}));
 }
 
@@ -86,14 +79,12 @@ TEST_P(TrimmingCases, OfManyEqualWindowsOneIsKeptWhole) {
 TEST_P(TrimmingCases, WindowsThatTouchStayAsTheyAre) {
   const std::vector<Window> windows{window(0, 9, 0, 1, 0), window(0, 1, 1, 2, 1), window(3, 5, 2, 3, 2)};
   EXPECT_TRUE(equal(trimmed(windows), windows));
-  EXPECT_TRUE(equal(appended({windows[0]}, {windows[1], windows[2]}), windows));
   EXPECT_TRUE(equal(merged({windows[0], windows[2]}, {windows[1]}), windows));
 }
 
 TEST_P(TrimmingCases, WindowsApartStayAsTheyAre) {
   const std::vector<Window> windows{window(0, 9, 0, 1, 0), window(0, 1, 1.5, 2, 1), window(3, 5, 4, 5, 2)};
   EXPECT_TRUE(equal(trimmed(windows), windows));
-  EXPECT_TRUE(equal(appended({windows[0]}, {windows[1], windows[2]}), windows));
   EXPECT_TRUE(equal(merged({windows[0], windows[2]}, {windows[1]}), windows));
 }
 
@@ -102,7 +93,6 @@ TEST_P(TrimmingCases, MirroredWindowsAreCutInTheMiddle) {
   const Window a = window(0, 0, 0, 2, 0), b = window(2, 0, 0, 2, 1);
   const std::vector<Window> expected{window(0, 0, 0, 1, 0), window(2, 0, 1, 2, 1)};
   EXPECT_TRUE(equal(trimmed({a, b}), expected));
-  EXPECT_TRUE(equal(appended({a}, {b}), expected));
   EXPECT_TRUE(equal(merged({a}, {b}), expected));
   EXPECT_TRUE(equal(merged({b}, {a}), expected));
 }
@@ -117,8 +107,6 @@ TEST_P(TrimmingCases, AWindowOfNoWidthCostsItsNeighboursNothing) {
         for (const auto& windows : {same_ends({empty, a, b}), same_ends({a, empty, b}), same_ends({a, b, empty}),
                                     same_ends({empty, empty, a, empty, empty, b})})
           ASSERT_TRUE(equal(trimmed(windows), {a, b})) << "at " << at << " width " << width << " sigma " << sigma;
-        ASSERT_TRUE(equal(appended({a}, {empty, b}), {a, b})) << "at " << at;
-        ASSERT_TRUE(equal(appended({a, empty}, {b}), {a, b})) << "at " << at;
         ASSERT_TRUE(equal(merged({a, b}, {empty}), {a, b})) << "at " << at;
         ASSERT_TRUE(equal(merged({empty}, {a, b}), {a, b})) << "at " << at;
       }
@@ -135,7 +123,6 @@ TEST_P(TrimmingCases, OfWindowsOfNoWidthNothingIsLeft) {
 TEST_P(TrimmingCases, AWindowInsideAnotherThatLosesAtItsEndIsDropped) {
   const Window wide = window(0, 0, -3, 3, 0), narrow = window(0.5, 1, 1, 2, 1);
   EXPECT_TRUE(equal(trimmed({wide, narrow}), {wide}));
-  EXPECT_TRUE(equal(appended({wide}, {narrow}), {wide}));
 }
 
 /// At its start the narrow one is nearer: no line of the wide one to the right of that is needed, also beyond the
@@ -144,7 +131,6 @@ TEST_P(TrimmingCases, AWindowInsideAnotherThatWinsAtItsStartEndsIt) {
   const Window wide = window(0, 2, -3, 3, 0), narrow = window(0.5, 0, 1, 2, 1);
   const std::vector<Window> expected{window(0, 2, -3, 1, 0), narrow};
   EXPECT_TRUE(equal(trimmed({wide, narrow}), expected));
-  EXPECT_TRUE(equal(appended({wide}, {narrow}), expected));
 }
 
 /// Nothing is known about how they enter: the wide one stays on both sides.
@@ -199,7 +185,7 @@ TEST_P(TrimmingCases, ParentAndChildOnOneRayArePartedByTheRay) {
     Window parent_left = parent;
     parent_left.high = 0;
     // The part of the parent's lines to the left of the ray, and the child all over.
-    const std::vector<Window> seen = appended({parent_left}, {child});
+    const std::vector<Window> seen = trimmed({parent_left, child});
     ASSERT_EQ(seen.size(), 2U) << seed;
     ASSERT_EQ(seen[0].low, -5) << seed;
     ASSERT_EQ(seen[1].high, 5) << seed;
@@ -216,21 +202,11 @@ TEST_P(TrimmingCases, OfWindowsWhoseLinesCrossedTheNearerAtTheCrossingStays) {
     const Window left = window(0, 5 + later, 2.5, 3, 0), right = window(3, 5, 0, 0.5, 1);
     const std::vector<Window> expected{later > 0 ? right : left};
     EXPECT_TRUE(equal(trimmed({left, right}), expected)) << later;
-    EXPECT_TRUE(equal(appended({left}, {right}), expected)) << later;
   }
 }
 
 /// One image, in an order that only rounding can make.
 const Window crossed_left = window(0, 0, 2.5, 3, 0), crossed_right = window(0, 0, 0, 0.5, 1);
-
-/// `append` takes nothing of what it refuses.
-TEST_P(TrimmingCases, WindowsThatCannotBePutInOrderAreRefusedWhole) {
-  const std::vector<Window> left{crossed_left}, right{crossed_right};
-  WindowList list = list_of(left);
-  const WindowList other = list_of(right);
-  ASSERT_FALSE(trimming_.append(list, other.arrays(), other.size()));
-  EXPECT_TRUE(equal(listed(list.arrays(), list.size()), left));
-}
 
 TEST_P(TrimmingCases, WindowsThatCannotBePutInOrderAreBrokenApart) {
   const WindowList list = list_of({crossed_left, crossed_right});
@@ -239,8 +215,7 @@ TEST_P(TrimmingCases, WindowsThatCannotBePutInOrderAreBrokenApart) {
   EXPECT_EQ(breaks, std::vector<std::uint32_t>{1});
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, TrimmingCases, testing::Values(Simd::baseline, Simd::avx2),
-                         [](const auto& info) { return info.param == Simd::avx2 ? "avx2" : "baseline"; });
+INSTANTIATE_TEST_SUITE_P(Levels, TrimmingCases, testing::ValuesIn(levels), level_name);
 
 }  // namespace
 }  // namespace geodrome::chen_han::test

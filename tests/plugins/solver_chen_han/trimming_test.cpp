@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tests/plugins/common/window_scenes.hpp"
+#include "tests/plugins/solver_chen_han/levels.hpp"
 
 namespace geodrome::chen_han::test {
 namespace {
@@ -47,32 +48,12 @@ class SceneTrimming : public testing::TestWithParam<Simd> {
     if (begin == end) return kept;
     WindowList list;
     for (std::size_t i = begin; i < end; ++i) list.push(scene.windows[i].window);
-    list.arrays().pad(list.size());
     std::vector<std::uint32_t> breaks;
     const std::size_t count = trimming_.trim(list.arrays(), list.size(), breaks);
     const std::vector<Window> windows = listed(list.arrays(), count);
     breaks.push_back(static_cast<std::uint32_t>(count));
     for (std::size_t k = 0, first = 0; k < breaks.size(); first = breaks[k++])
       kept.runs.push_back({windows.begin() + static_cast<std::ptrdiff_t>(first), windows.begin() + breaks[k]});
-    return kept;
-  }
-
-  /// All windows of a scene as the propagation gathers them: the sides trimmed, then appended to each other. What
-  /// cannot be put in order is a run of its own.
-  Kept gathered(const Scene& scene) {
-    WindowList list;
-    Kept kept;
-    const std::size_t ends[] = {0, scene.left_end, scene.right_begin, scene.windows.size()};
-    for (int side = 0; side < 3; ++side) {
-      Kept part = trimmed(scene, ends[side], ends[side + 1]);
-      for (std::size_t r = 0; r < part.runs.size(); ++r) {
-        WindowList block;
-        for (const Window& w : part.runs[r]) block.push(w);
-        if (r == 0 && trimming_.append(list, block.arrays(), block.size())) continue;
-        kept.runs.push_back(part.runs[r]);
-      }
-    }
-    kept.runs.push_back(listed(list.arrays(), list.size()));
     return kept;
   }
 
@@ -205,40 +186,6 @@ TEST_P(SceneTrimming, KeepsEveryLineThatIsShortest) {
   EXPECT_GT(needed, 20000);
 }
 
-TEST_P(SceneTrimming, AppendsSoThatTheListStaysDisjointAndAscending) {
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const Scene scene = random_scene(random, 1 + seed % 9);
-    const Kept kept = gathered(scene);
-    for (const auto& run : kept.runs) ASSERT_TRUE(in_order(run));
-    expect_parts(scene, kept.all());
-    if (HasFatalFailure()) return;
-  }
-}
-
-TEST_P(SceneTrimming, AppendingDropsNoLineWithoutTheLemma) {
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const Scene scene = random_scene(random, 1 + seed % 9);
-    expect_reasons(scene, gathered(scene).all(), random);
-    if (HasFatalFailure()) return;
-  }
-}
-
-TEST_P(SceneTrimming, AppendingKeepsEveryLineThatIsShortest) {
-  int needed = 0;
-  for (std::uint64_t seed = 1; seed <= scenes; ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Random random(seed);
-    const Scene scene = random_scene(random, 1 + seed % 9);
-    needed += expect_needed_kept(scene, gathered(scene).all(), random);
-    if (HasFailure()) return;
-  }
-  EXPECT_GT(needed, 20000);
-}
-
 /// Windows whose lines changed sides before the half-edge are settled where these cross, so that the scenes have none
 /// that must be broken apart (TrimmingCases has).
 TEST_P(SceneTrimming, TheScenesHaveEveryCase) {
@@ -261,8 +208,7 @@ TEST_P(SceneTrimming, TheScenesHaveEveryCase) {
   EXPECT_GT(dropped, 100);
 }
 
-INSTANTIATE_TEST_SUITE_P(Levels, SceneTrimming, testing::Values(Simd::baseline, Simd::avx2),
-                         [](const auto& info) { return info.param == Simd::avx2 ? "avx2" : "baseline"; });
+INSTANTIATE_TEST_SUITE_P(Levels, SceneTrimming, testing::ValuesIn(levels), level_name);
 
 }  // namespace
 }  // namespace geodrome::chen_han::test

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <iterator>
 #include <map>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -44,18 +43,6 @@ TEST(WindowArrays, AWindowOfNoWidthIsEmptyAndSoIsOneOfNoNumbers) {
   EXPECT_FALSE(windows.empty(2));
 }
 
-TEST(WindowArrays, PaddingRepeatsTheGeometryOfTheLastWindow) {
-  std::vector<double> memory((2 + padding) * WindowArrays::doubles_per_window);
-  const WindowArrays windows(memory.data(), 2 + padding);
-  fill(windows, 2, 5);
-  windows.pad(2);
-  for (std::size_t i = 2; i < 2 + padding; ++i) {
-    Window padding = windows.get(i);
-    padding.origin = named(6).origin, padding.parent = named(6).parent;
-    EXPECT_TRUE(same(padding, named(6))) << i;
-  }
-}
-
 TEST(WindowArrays, DistancesAreSigmaPlusTheWayFromTheImage) {
   std::vector<double> memory(WindowArrays::doubles_per_window);
   const WindowArrays windows(memory.data(), 1);
@@ -65,7 +52,7 @@ TEST(WindowArrays, DistancesAreSigmaPlusTheWayFromTheImage) {
   EXPECT_EQ(windows.get(0).at(5), 15);
 }
 
-TEST(CopyWindows, CopiesEveryCountAndNoRegisterMoreThanItNeeds) {
+TEST(CopyWindows, CopiesEveryCountAndNoMoreThanItsRoom) {
   constexpr std::size_t room = 40;
   std::vector<double> from_memory(room * WindowArrays::doubles_per_window), to_memory(from_memory.size());
   const WindowArrays from(from_memory.data(), room), to(to_memory.data(), room);
@@ -74,7 +61,7 @@ TEST(CopyWindows, CopiesEveryCountAndNoRegisterMoreThanItNeeds) {
     fill(to, room, 1000);
     copy_windows(from, count, to);
     EXPECT_TRUE(holds(to, count, 0)) << count;
-    const std::size_t touched = (count + most_lanes - 1) / most_lanes * most_lanes;
+    const std::size_t touched = room_for_copy(count);
     EXPECT_TRUE(holds(to.without(touched), room - touched, 1000 + static_cast<Index>(touched))) << count;
   }
 }
@@ -86,24 +73,23 @@ TEST(WindowList, KeepsItsWindowsWhileItGrows) {
   EXPECT_TRUE(holds(list.arrays(), 5000, 0));
 }
 
-TEST(WindowList, AppendsBehindWhatItHolds) {
+TEST(WindowList, BecomesACopyWithTheRoomThatIsAskedFor) {
   WindowList list, other;
   for (Index i = 0; i < 300; ++i) other.push(named(i));
-  Index expected = 0;
-  for (std::size_t count = 0; count <= 60; ++count) {
-    list.append(other.arrays().without(expected % 200), count);
-    for (std::size_t i = 0; i < count; ++i)
-      ASSERT_TRUE(same(list.arrays().get(list.size() - count + i), named(expected % 200 + static_cast<Index>(i))));
-    expected += static_cast<Index>(count);
-    ASSERT_EQ(list.size(), expected);
-  }
+  for (const std::size_t count : {0, 1, 4, 7, 200})
+    for (const std::size_t room : {0, 5, 1000}) {
+      list.assign({other.arrays().without(3), count}, room);
+      ASSERT_EQ(list.size(), count);
+      EXPECT_TRUE(holds(list.span().windows, count, 3));
+      fill(list.arrays(), room, 7);  // the sanitizers see a write that is out of bounds
+    }
 }
 
-TEST(WindowList, HasRoomForPaddingAtEverySize) {
+TEST(WindowList, HasRoomForTwoRegistersMoreAtEverySize) {
   WindowList list;
   for (Index i = 0; i < 200; ++i) {
     list.push(named(i));
-    list.arrays().pad(list.size());  // the sanitizers see a write that is out of bounds
+    fill(list.arrays().without(list.size()), 2 * most_lanes, 1000);
     EXPECT_TRUE(holds(list.arrays(), list.size(), 0));
   }
 }
@@ -118,40 +104,38 @@ TEST(WindowList, KeepsItsMemoryWhenItIsCleared) {
   EXPECT_EQ(list.bytes(), bytes);
 }
 
-TEST(WindowStore, UsesReleasedMemoryForTheNextBlockOfThatSize) {
+TEST(WindowStore, UsesAReleasedBlockForTheNextOneOfThatSize) {
   WindowStore store;
-  const Index block = store.add(10);
-  const double* memory = store[block].memory;
+  Block& block = store.add(10);
   store.release(block);
-  EXPECT_EQ(store[store.add(10)].memory, memory);
+  EXPECT_EQ(&store.add(10), &block);
 }
 
-TEST(WindowStore, UsesReleasedNumbersAgain) {
+TEST(WindowStore, FindsABlockByItsNumber) {
   WindowStore store;
-  const Index first = store.add(10), second = store.add(3);
-  store.release(first);
-  store.release(second);
-  EXPECT_EQ((std::set<Index>{store.add(1), store.add(100)}), (std::set<Index>{first, second}));
+  std::vector<Block*> blocks;
+  for (std::size_t count = 1; count < 3000; count += count / 3 + 1) blocks.push_back(&store.add(count));
+  for (const Block* block : blocks) EXPECT_EQ(&store[block->number], block);
 }
 
 TEST(WindowStore, ANewBlockHasItsCountAndNothingOfTheOneBefore) {
   WindowStore store;
-  const Index old = store.add(10);
-  store[old].first = 4, store[old].next = 7;
+  Block& old = store.add(10);
+  old.next = 7;
   store.release(old);
-  const Block& block = store[store.add(9)];
+  const Block& block = store.add(9);
   EXPECT_EQ(block.count, 9U);
-  EXPECT_EQ(block.first, 0U);
   EXPECT_EQ(block.next, no_index);
 }
 
 /// At most a quarter is waste, above the smallest sizes.
-TEST(WindowStore, EveryCountFitsWithItsPaddingAndLittleMore) {
+TEST(WindowStore, EveryCountFitsInWholeRegistersAndLittleMore) {
   WindowStore store;
   for (std::size_t count = 1; count <= 3000; ++count) {
-    const Index block = store.add(count);
-    ASSERT_GE(store[block].capacity, count + padding);
-    ASSERT_LE(store[block].capacity, std::max<std::size_t>(16, (count + padding) * 5 / 4 + 1)) << count;
+    const Block& block = store.add(count);
+    ASSERT_GE(block.capacity, count);
+    ASSERT_EQ(block.capacity % most_lanes, 0U);
+    ASSERT_LE(block.capacity, std::max<std::size_t>(4 * most_lanes, (count + most_lanes) * 5 / 4)) << count;
   }
 }
 
@@ -162,14 +146,13 @@ TEST(WindowStore, BlocksKeepTheirWindowsWhileOthersComeAndGo) {
   for (Index step = 0; step < 20000; ++step) {
     if (random.below(2) == 0 || live.empty()) {
       const std::size_t count = random_count(random);
-      const Index block = store.add(count), name = 1000 * step;
-      ASSERT_TRUE(live.emplace(block, std::pair(count, name)).second);
-      fill(store[block].windows(), count, name);
-      store[block].windows().pad(count);
+      Block& block = store.add(count);
+      ASSERT_TRUE(live.emplace(block.number, std::pair(count, 1000 * step)).second);
+      fill(block.windows(), block.capacity, 1000 * step);
     } else {
       const auto it = std::next(live.begin(), static_cast<std::ptrdiff_t>(random.below(live.size())));
       ASSERT_TRUE(holds(store[it->first].windows(), it->second.first, it->second.second)) << step;
-      store.release(it->first);
+      store.release(store[it->first]);
       live.erase(it);
     }
   }
@@ -181,17 +164,17 @@ TEST(WindowStore, DoesNotGrowOverRoundsOfTheSameNeed) {
   std::size_t after_first = 0;
   for (int round = 0; round < 200; ++round) {
     Random random(8);
-    std::vector<Index> live;
+    std::vector<Block*> live;
     for (int step = 0; step < 500; ++step) {
       if (random.below(3) > 0 || live.empty()) {
-        live.push_back(store.add(random_count(random)));
+        live.push_back(&store.add(random_count(random)));
       } else {
         const std::size_t at = random.below(live.size());
-        store.release(live[at]);
+        store.release(*live[at]);
         live.erase(live.begin() + static_cast<std::ptrdiff_t>(at));
       }
     }
-    for (const Index block : live) store.release(block);
+    for (Block* block : live) store.release(*block);
     if (round == 0) after_first = store.bytes();
     ASSERT_EQ(store.bytes(), after_first) << "round " << round;
   }
