@@ -88,10 +88,11 @@ void Session::Impl::make_rows(std::span<const NamedPoint> sources, std::span<con
   check_rule(options.rule, start.opened, sources);
   const SourceSurfaces surfaces(options.rule, start.opened, {targets.begin(), targets.end()});
   check_provides(plugin.info, options.rule, sources, targets, options.max_distance);
-  RowMaker maker(prepared(), surfaces, sources, options.max_distance, settings.seed, observer, std::move(extras));
+  const PreparedSolver& solver = prepared();
+  RowMaker maker(solver, surfaces, sources, options.max_distance, settings.seed, observer, std::move(extras));
   const unsigned threads = thread_count(settings);
   StageContext rows = context("distances", threads);
-  compute_rows(wanted, maker, sink, threads, rows);
+  compute_rows(wanted, solver, maker, sink, threads, rows);
 }
 
 Observer& silent_observer() noexcept {

@@ -49,9 +49,10 @@ std::map<std::string, std::uint64_t> RowMaker::insertions() const {
   return counts;
 }
 
-void compute_rows(const RowSet& rows, RowMaker& maker, RowSink& sink, unsigned threads, RunContext& context) {
+void compute_rows(const RowSet& rows, const PreparedSolver& solver, RowMaker& maker, RowSink& sink, unsigned threads,
+                  RunContext& context) {
   const auto make_filler = [&]() -> RowFiller {
-    return [&maker, search = std::shared_ptr(make_search(maker.solver()))](std::uint64_t i, std::span<double> row) {
+    return [&maker, search = std::shared_ptr(make_search(solver))](std::uint64_t i, std::span<double> row) {
       maker.make(*search, i, row);
     };
   };

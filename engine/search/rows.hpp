@@ -48,9 +48,9 @@ class RowMaker {
 
   /// Numbers in a row, bounds included.
   std::size_t columns() const { return (extras_.bounds ? 2 : 1) * surfaces_.targets().size(); }
-  const PreparedSolver& solver() const { return solver_; }
 
-  /// Fills the row of source `i`. `search`: on the reconstruction. Throws as `distance_row`.
+  /// Fills the row of source `i`. `search`: on the reconstruction, by the solver or by what it planned. Throws as
+  /// `distance_row`.
   void make(Search& search, std::uint64_t i, std::span<double> row);
 
   /// The counters of all searches so far.
@@ -73,8 +73,9 @@ class RowMaker {
   std::array<std::atomic<std::uint64_t>, 4> insertions_{};
 };
 
-/// Makes the rows of the set that the sink has not, over at most `threads` threads, each with a search of its own.
-/// Throws as `fill_rows` and `distance_row`.
-void compute_rows(const RowSet& rows, RowMaker& maker, RowSink& sink, unsigned threads, RunContext& context);
+/// Makes the rows of the set that the sink has not, over at most `threads` threads, each with a search of its own by
+/// `solver`: the maker's, or with the surface for a plan (`prepare_plan`). Throws as `fill_rows` and `distance_row`.
+void compute_rows(const RowSet& rows, const PreparedSolver& solver, RowMaker& maker, RowSink& sink, unsigned threads,
+                  RunContext& context);
 
 }  // namespace geodrome

@@ -9,6 +9,7 @@
 #include "engine/output/atomic_file.hpp"
 #include "engine/report/json.hpp"
 #include "engine/search/lower_bounds.hpp"
+#include "engine/search/many_searches.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/surface/selection.hpp"
 #include "geodrome/engine/version.hpp"
@@ -51,6 +52,7 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   json["solver"] = chosen(solver.record);
   json["query"] = name(job.query), json["max_distance"] = to_json(job.max_distance);
   json["sources"] = digest(sources), json["targets"] = digest(targets);
+  if (plan_rows(solver.plugin, job.query, sources, job.max_distance)) json["searches"] = ManySearches::id;
   json["dtype"] = job.scalar == ScalarType::float64 ? "float64" : "float32";
   json["seed"] = job.settings.seed;
   if (opened.surface.part) json["part"] = "largest";

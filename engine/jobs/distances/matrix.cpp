@@ -11,6 +11,7 @@
 #include "engine/output/posix_file.hpp"
 #include "engine/report/json.hpp"
 #include "engine/search/lower_bounds.hpp"
+#include "engine/search/many_searches.hpp"
 #include "engine/search/parallel_rows.hpp"
 #include "engine/search/rows.hpp"
 #include "engine/surface/face_weight.hpp"
@@ -39,14 +40,16 @@ std::string time_text(double seconds) {
   return "about " + (seconds < 7200 ? fixed(seconds / 60, 0) + " min" : fixed(seconds / 3600, 1) + " h");
 }
 
-void tell_plan(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t missing, double row_seconds,
-               unsigned threads, Observer& observer) {
+/// `planned`: the rows may take less time, since the solver is going to be asked to prepare them together.
+void tell_size(const MatrixFile::Spec& spec, std::uint64_t bytes, std::uint64_t missing, double row_seconds,
+               bool planned, unsigned threads, Observer& observer) {
   const double seconds = row_seconds * static_cast<double>(missing) / threads;
   observer.log(LogLevel::info, "matrix: " + std::to_string(spec.rows) + " x " + std::to_string(spec.columns) + " " +
                                    (spec.scalar == ScalarType::float64 ? "float64" : "float32") + ", " +
                                    size_text(bytes) + "; " + std::to_string(missing) +
                                    (missing == 1 ? " row" : " rows") + " to compute, " + time_text(seconds) + " on " +
-                                   std::to_string(threads) + (threads == 1 ? " thread" : " threads"));
+                                   std::to_string(threads) + (threads == 1 ? " thread" : " threads") +
+                                   (planned && seconds >= 1 ? " if each is searched by itself" : ""));
 }
 
 void tell_unlocked(const MatrixFile& file, const MatrixFile::Spec& spec, Observer& observer) {
@@ -142,11 +145,39 @@ std::uint64_t bytes_of(const MatrixFile::Spec& spec, const MatrixFile::Spec& bou
   return MatrixFile::bytes(spec) + (bounds.out.empty() ? 0 : MatrixFile::bytes(bounds));
 }
 
-void demand_consent(const DistanceJob& job, const MatrixFile::Spec& spec, const MatrixResult& result, unsigned threads,
+void demand_consent(const DistanceJob& job, const MatrixFile::Spec& spec, const MatrixResult& result, bool planned,
                     Observer& observer) {
   if (result.bytes <= consent_bytes || job.yes) return;
-  tell_plan(spec, result.bytes, spec.rows, result.first_row_seconds, threads, observer);
+  tell_size(spec, result.bytes, spec.rows, result.first_row_seconds, planned, thread_count(job.settings), observer);
   throw RefusedError(job.matrix.string() + " would take " + size_text(result.bytes), remedies::consent());
+}
+
+/// Refused while another run writes it.
+BoundedMatrix open_matrix(const MatrixFile::Spec& spec, const MatrixFile::Spec& bounds, bool resume,
+                          Observer& observer) {
+  const bool overwrites = !resume && file_exists(spec.out.string() + ".partial");
+  BoundedMatrix sink(spec, bounds, resume);
+  if (overwrites) tell_overwritten(spec, observer);
+  tell_unlocked(sink.matrix(), spec, observer);
+  if (sink.bounds()) tell_unlocked(*sink.bounds(), bounds, observer);
+  return sink;
+}
+
+/// Makes the rows that the sink has not, by what the solver prepares for all of them if there is a plan.
+void make_rows(const DistanceJob& job, const PreparedSolver& solver, const std::optional<RowPlan>& plan,
+               RowMaker& maker, RowSink& sink, const MatrixFile::Spec& spec, Observer& observer, MatrixResult& result) {
+  const unsigned threads = thread_count(job.settings);
+  const RowSet all = RowSet::all(spec.rows);
+  const std::size_t missing = missing_rows(all, sink).size();
+  tell_size(spec, result.bytes, missing, result.first_row_seconds, plan.has_value(), threads, observer);
+  PlannedSolver by{solver, {}};
+  if (plan && missing > 0) {
+    StageContext context(ShortestPathSolver::stage, observer, threads, job.settings.seed);
+    by = prepare_plan(solver, *plan, context);
+    result.plan = by.record;
+  }
+  StageContext context("distances", observer, threads, job.settings.seed);
+  compute_rows(all, by.solver, maker, sink, threads, context);
 }
 
 /// What the rows of the file show.
@@ -163,7 +194,6 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   const std::span<const NamedPoint> targets = surfaces.targets().named();
   const MatrixFile::Spec spec{job.matrix, sources.size(), targets.size(), job.scalar, fingerprint};
   const MatrixFile::Spec bounds = job.bounds.empty() ? MatrixFile::Spec{} : spec_of_bounds(spec, job.bounds);
-  const unsigned threads = thread_count(job.settings);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = bytes_of(spec, bounds)};
   Certificates certificates(solver, spec.rows);
   RowAudit audit(solver, surfaces, sources, job.max_distance, job.audit_share);
@@ -173,27 +203,21 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   };
   RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer,
                  {!job.bounds.empty(), watch});
+  const std::optional<RowPlan> plan = plan_rows(solver.plugin, surfaces.rule(), sources, job.max_distance);
 
   const Stopwatch first;
   std::vector<double> row(maker.columns());
   maker.make(*make_search(solver), 0, row);
   result.first_row_seconds = first.seconds();
-  demand_consent(job, spec, result, threads, observer);
-  const bool overwrites = !job.resume && file_exists(spec.out.string() + ".partial");
-  BoundedMatrix sink(spec, bounds, job.resume);  // refused while another run writes it
-  if (overwrites) tell_overwritten(spec, observer);
+  demand_consent(job, spec, result, plan.has_value(), observer);
+  BoundedMatrix sink = open_matrix(spec, bounds, job.resume, observer);
   const MatrixFile& file = sink.matrix();
-  tell_unlocked(file, spec, observer);
-  if (sink.bounds()) tell_unlocked(*sink.bounds(), bounds, observer);
   result.resumed_rows = file.rows_done();
   std::vector<std::vector<double>> rows;  // as they stand on disk
   try {
     if (!sink.has(0)) sink.write(0, row);
-    const RowSet all = RowSet::all(spec.rows);
-    tell_plan(spec, result.bytes, missing_rows(all, sink).size(), result.first_row_seconds, threads, observer);
     const Stopwatch stopwatch;
-    StageContext context("distances", observer, threads, job.settings.seed);
-    compute_rows(all, maker, sink, threads, context);
+    make_rows(job, solver, plan, maker, sink, spec, observer, result);
     result.seconds = stopwatch.seconds() + result.first_row_seconds;
     result.counters = maker.counters();
     result.insertions = maker.insertions();

@@ -33,6 +33,13 @@ Json to_json(const IntervalFigures& certified) {
           {"worst", to_json(certified.worst)}};
 }
 
+Json to_json(const PlanRecord& plan) {
+  Json json{{"used", plan.used}, {"sources", plan.sources}, {"bytes", plan.bytes}, {"seconds", plan.seconds}};
+  json["measures"] = Json::object();
+  for (const auto& [name, value] : plan.measures) json["measures"][name] = to_json(value);
+  return json;
+}
+
 Json to_json(const MatrixResult& matrix) {
   Json json{{"rows", matrix.rows},       {"columns", matrix.columns},
             {"bytes", matrix.bytes},     {"resumed_rows", matrix.resumed_rows},
@@ -40,6 +47,7 @@ Json to_json(const MatrixResult& matrix) {
   json["reach"] = {{"reached", matrix.reach.reached},         {"beyond_limit", matrix.reach.beyond_limit},
                    {"unreachable", matrix.reach.unreachable}, {"not_computed", matrix.reach.not_computed},
                    {"missed", matrix.reach.missed},           {"impossible", matrix.reach.impossible}};
+  if (matrix.plan) json["many_searches"] = to_json(*matrix.plan);
   json["counters"] = Json::object();
   for (const auto& [name, value] : matrix.counters) json["counters"][name] = value;
   if (!matrix.insertions.empty()) json["insertions"] = matrix.insertions;
@@ -187,6 +195,9 @@ void summarize_matrix(const RunRecord& record, std::ostream& out) {
   out << "matrix     " << job.matrix.string() << ": " << m.rows << " x " << m.columns << " in " << m.seconds << " s; "
       << m.reach.unreachable << " unreachable, " << m.reach.beyond_limit << " beyond the limit, "
       << m.reach.not_computed << " not computed\n";
+  if (m.plan && m.plan->used)
+    out << "rows       prepared together: " << static_cast<double>(m.plan->bytes) / 1e6 << " MB in " << m.plan->seconds
+        << " s\n";
   const bool whole = m.reach.missed == 0 && m.reach.impossible == 0;
   out << "invariants " << (m.invariants.holds() && whole ? "hold" : "VIOLATED") << " (" << promised_by(record) << ")\n";
 }
