@@ -57,6 +57,7 @@ DemandTable path_demands();
 DemandTable surface_demands();
 DemandTable discipline_demands();
 DemandTable lower_bound_demands();
+DemandTable many_search_demands();
 DemandTable weight_demands();
 DemandTable pair_oracle_demands();
 DemandTable tangent_demands();

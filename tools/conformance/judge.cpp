@@ -21,8 +21,8 @@ DemandTable table_of(const std::string& stage) {
   if (stage == SurfaceReconstructor::stage) return joined({reconstructor_demands(), inserter_demands()});
   if (stage == ShortestPathSolver::stage)
     return joined({distance_demands(), guarantee_demands(), invariance_demands(), surface_demands(), request_demands(),
-                   source_demands(), lower_bound_demands(), path_demands(), discipline_demands(), weight_demands(),
-                   pair_oracle_demands()});
+                   source_demands(), lower_bound_demands(), path_demands(), discipline_demands(), many_search_demands(),
+                   weight_demands(), pair_oracle_demands()});
   throw OptionError("there is no stage '" + stage + "'");
 }
 

@@ -77,6 +77,7 @@ class FaultySurface : public PreparedSurface {
                                                  Fault::shares_results ? shared_ : new_values());
   }
   std::size_t bytes() const override { return right_->bytes(); }
+  const MeshPtr& mesh() const { return mesh_; }
 
  private:
   std::shared_ptr<std::vector<double>> new_values() const {
