@@ -134,6 +134,18 @@ TEST(ConformanceKit, FindsNothingInTheMiddleOfIntervals) {
   EXPECT_GT(held, 55u);
 }
 
+TEST(ConformanceKit, FindsNothingInSearchesThatArePreparedTogether) {
+  const Subject subject = find_subject(GEODROME_BINARY_DIR "/tests/sound_plugins/solver_test_together.so");
+  std::size_t held = 0;
+  for (const Demand& demand : demands("solver")) {
+    if (!demand.name.starts_with("together.")) continue;
+    const Verdict verdict = judge_in_child(subject, demand.name);
+    EXPECT_EQ(verdict.outcome, Outcome::held) << demand.name << ": " << verdict.expected << " / " << verdict.found;
+    ++held;
+  }
+  EXPECT_EQ(held, 8u);
+}
+
 TEST(ConformanceKit, RefusesUnknownNames) {
   EXPECT_THROW(find_subject("nobody"), OptionError);
   EXPECT_THROW(judge(find_subject("chen_han"), "distances.nowhere"), OptionError);

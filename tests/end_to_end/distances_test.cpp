@@ -54,6 +54,30 @@ TEST_F(Distances, UnreachableAndIsolatedAreInfiniteAndNeverZero) {
   EXPECT_EQ(report()["matrix"]["reach"]["missed"], 0);
 }
 
+TEST_F(Distances, ArePreparedTogetherByASolverThatCan) {
+  write("two.off", two_squares);
+  const std::vector<std::string> plugins{"--plugin-path", GEODROME_BINARY_DIR "/tests/sound_plugins"};
+  const auto by = [&](const std::string& solver, std::vector<std::string> more = {}) {
+    more.insert(more.end(), plugins.begin(), plugins.end());
+    more.insert(more.end(), {"--solver", solver});
+    return matrix(more);
+  };
+  const Matrix plain = by("chen_han"), together = by("test_together");
+  for (std::size_t k = 0; k < plain.values.size(); ++k) EXPECT_DOUBLE_EQ(together.values[k], plain.values[k]);
+  const json plan = report()["matrix"]["many_searches"];
+  EXPECT_EQ(plan["used"], true);
+  EXPECT_EQ(plan["sources"], 8) << "of the nine rows one lies on no face";
+  by("test_together:answer=null");
+  EXPECT_EQ(report()["matrix"]["many_searches"]["used"], false);
+  by("test_together", {"--sources", "3"});
+  EXPECT_FALSE(report()["matrix"].contains("many_searches"));
+  const Outcome outcome =
+      run({"-o", (folder_ / "d.npy").string(), "--solver", "test_together:answer=throws", plugins[0], plugins[1]});
+  EXPECT_EQ(outcome.status, 4);
+  EXPECT_NE(outcome.err.find("solver_test_together: the plan is too large; make it smaller"), std::string::npos)
+      << outcome.err;
+}
+
 TEST_F(Distances, BeyondTheLimitIsInfiniteAndCountedApartFromUnreachable) {
   write("two.off", two_squares);
   const Matrix d = matrix({"--max-distance", "1.1"});

@@ -83,6 +83,24 @@ TEST_F(Interruption, WhatAnEarlierRunLeftIsNotOverwrittenInSilence) {
   EXPECT_EQ(again.err.find("overwritten"), std::string::npos) << again.err;
 }
 
+TEST_F(Interruption, CtrlCWhileAllRowsArePreparedTogetherLeavesThePartial) {
+  std::vector<std::string> waiting{"distances",
+                                   mesh(),
+                                   "-o",
+                                   (folder_ / "d.npy").string(),
+                                   "--solver",
+                                   "test_together:answer=waits",
+                                   "--plugin-path",
+                                   GEODROME_BINARY_DIR "/tests/sound_plugins"};
+  const Outcome first = interrupt(waiting, SIGINT, 50ms);
+  EXPECT_EQ(first.status, 130) << first.err;
+  EXPECT_NE(first.err.find("d.npy.partial holds 1 of "), std::string::npos) << first.err;
+  waiting.push_back("--resume");
+  const Outcome resumed = interrupt(waiting, SIGINT, 50ms);
+  EXPECT_EQ(resumed.status, 130) << resumed.err;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "d.npy.partial"));
+}
+
 TEST_F(Interruption, ResumingWithOtherOptionsIsRefusedNamingThem) {
   interrupt_in_time(job("d.npy"), SIGKILL);
   std::vector<std::string> other = job("d.npy");

@@ -77,6 +77,7 @@ class Surface final : public PreparedSurface {
   std::size_t bytes() const override { return exact_->bytes(); }
 
   std::unique_ptr<PreparedSurface> plan(const SearchPlan& plan, RunContext& context) const {
+    context.throw_if_cancelled();
     context.measure("planned_sources", static_cast<double>(plan.sources.size()));
     context.measure("planned_radius", plan.radius);
     context.log(LogLevel::info, "a plan came");
