@@ -24,8 +24,9 @@ struct ManySearches {
   ///
   /// The result answers every request as `prepared` does, those outside of the plan included, in the same units, with
   /// the same reach and capabilities; distances may differ by rounding, as those of two paths of the same length do.
-  /// Returns null where it would not pay. Whether it pays, and every distance, depends on surface, options and plan
-  /// alone: not on the number of threads, on time, or on what memory the machine has.
+  /// Its `bytes` count those of `prepared`; other extensions of the plugin take its searches and maps. Returns null
+  /// where it would not pay. Whether it pays, and every distance, depends on surface, options and plan alone: not on
+  /// the number of threads, on time, or on what memory the machine has.
   ///
   /// May use `context.threads()`; tells by `context.measure` and one line of the log (info) how it chose and what it
   /// holds, before it takes the memory. Throws Cancelled. Thread-safe.
