@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Distances that are a billionth too long where searches are prepared together.
+// Distances to vertices behind the source, by their numbers, are a billionth too long where searches are prepared
+// together.
 #include "tests/plugins_for_tests/faulty/planned_solver.hpp"
 
 namespace {
-struct Longer : geodrome::faulty::NoFault {
-  static double value(double right) { return 1.000000001 * right; }
+using namespace geodrome;
+
+struct Longer : faulty::NoFault {
+  static double at_vertex(const SurfaceMesh& mesh, std::span<const Source> sources, Index v, double right) {
+    return v > mesh.vertex_at(sources[0].at) ? 1.000000001 * right : right;
+  }
 };
-constexpr geodrome::ManySearches planned{geodrome::faulty::planned_by<Longer>};
+constexpr ManySearches planned{faulty::planned_by<Longer>};
 }  // namespace
 
 GEODROME_PLANNED_SOLVER(planned, "faulty_planned_long")

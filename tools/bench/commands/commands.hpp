@@ -21,6 +21,7 @@ void add_accuracy(CLI::App& app, Action& action);
 void add_cost(CLI::App& app, Action& action);
 void add_growth(CLI::App& app, Action& action);
 void add_repeat(CLI::App& app, Action& action);
+void add_matrix(CLI::App& app, Action& action);
 void add_memory(CLI::App& app, Action& action);
 void add_exactness(CLI::App& app, Action& action);
 void add_fuzz(CLI::App& app, Action& action);

@@ -11,8 +11,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   geodrome::bench::Action action;
   using namespace geodrome::bench;
-  for (const auto add : {add_solvers, add_samples, add_accuracy, add_cost, add_growth, add_repeat, add_memory,
-                         add_exactness, add_fuzz, add_factor, add_section4, add_queries, add_audit})
+  for (const auto add : {add_solvers, add_samples, add_accuracy, add_cost, add_growth, add_repeat, add_matrix,
+                         add_memory, add_exactness, add_fuzz, add_factor, add_section4, add_queries, add_audit})
     add(app, action);
   CLI11_PARSE(app, argc, argv);
   try {
