@@ -12,6 +12,7 @@
 #include "engine/report/provenance.hpp"
 #include "engine/search/distances.hpp"
 #include "engine/search/lower_bounds.hpp"
+#include "engine/search/parallel_rows.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/search/rows.hpp"
 #include "engine/surface/selection.hpp"
@@ -92,7 +93,9 @@ void Session::Impl::make_rows(std::span<const NamedPoint> sources, std::span<con
   RowMaker maker(solver, surfaces, sources, options.max_distance, settings.seed, observer, std::move(extras));
   const unsigned threads = thread_count(settings);
   StageContext rows = context("distances", threads);
-  compute_rows(wanted, solver, maker, sink, threads, rows);
+  const std::optional<RowPlan> plan = plan_rows(plugin, options.rule, sources, options.max_distance);
+  const bool needed = plan && !missing_rows(wanted, sink).empty();
+  compute_rows(wanted, needed ? planned(*plan) : solver, maker, sink, threads, rows);
 }
 
 Observer& silent_observer() noexcept {

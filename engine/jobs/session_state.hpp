@@ -2,16 +2,18 @@
 #pragma once
 
 #include <mutex>
+#include <optional>
 
 #include "engine/host/stage_context.hpp"
 #include "engine/jobs/pairs/index.hpp"
 #include "engine/jobs/start.hpp"
+#include "engine/search/many_searches.hpp"
 
 namespace geodrome {
 
 /// What a Session holds and the jobs with a solver stand on, so that all of them take the same steps in the same order:
 /// load the solver and ask what it provides, read the input, run stages 1 to 4, prepare the solver with the first
-/// question. `prepared` and `oracle` may be called from several threads at once.
+/// question. `prepared`, `planned` and `oracle` may be called from several threads at once.
 class SessionState {
  public:
   /// Loads the solver. Throws as `load_solver`. `observer` must outlive it.
@@ -35,6 +37,19 @@ class SessionState {
     return solver_;
   }
 
+  /// The solver ready for the rows of a plan: by the first call with that plan, or the next one if that throws, and
+  /// until a call with another one.
+  PreparedSolver planned(const RowPlan& plan) {
+    const PreparedSolver& solver = prepared();
+    const std::lock_guard lock(planning_);
+    if (planned_ && plan == plan_) return *planned_;
+    planned_.reset();
+    StageContext planning = context(ShortestPathSolver::stage, thread_count(settings));
+    plan_ = plan;
+    planned_ = prepare_plan(solver, plan, planning).solver;
+    return *planned_;
+  }
+
   /// The oracle of the solver, from the index file if one is named and there, else built: by the first call, which
   /// alone regards `index`, or the next one if that throws. Throws as `demand_pair_queries` and `ready_oracle`.
   const ReadyOracle& oracle(const std::filesystem::path& index = {}) {
@@ -56,8 +71,10 @@ class SessionState {
   JobStart start;
 
  private:
-  std::mutex preparing_, building_;
+  std::mutex preparing_, planning_, building_;
   PreparedSolver solver_;
+  std::optional<PreparedSolver> planned_;  // for plan_
+  RowPlan plan_;
   ReadyOracle oracle_;
 };
 

@@ -17,9 +17,10 @@ namespace geodrome {
 
 /// The searches of a job's rows, as a solver is told of them: a SearchPlan that owns its sources.
 struct RowPlan {
-  std::vector<SurfacePoint>
-      sources;        ///< each once, by face and coordinates: their order in the job's list is no matter
-  double radius = 0;  ///< the largest that one of them is searched with
+  std::vector<SurfacePoint> sources;  ///< each once, sorted: the order of the list is no matter
+  double radius = 0;                  ///< the largest that one of them is searched with
+
+  friend bool operator==(const RowPlan&, const RowPlan&) = default;
 };
 
 /// Plans the rows of a job, all of them: whichever are missing, their distances are the same bytes. Returns nothing

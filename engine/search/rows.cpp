@@ -53,7 +53,8 @@ void compute_rows(const RowSet& rows, const PreparedSolver& solver, RowMaker& ma
                   RunContext& context) {
   const auto make_filler = [&]() -> RowFiller {
     return [&maker, search = std::shared_ptr(make_search(solver))](std::uint64_t i, std::span<double> row) {
-      maker.make(*search, i, row);
+      if (i > 0) return maker.make(*search, i, row);
+      maker.make(*make_search(maker.solver()), i, row);
     };
   };
   fill_rows(rows, sink, maker.columns(), threads, make_filler, context);

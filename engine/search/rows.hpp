@@ -48,6 +48,7 @@ class RowMaker {
 
   /// Numbers in a row, bounds included.
   std::size_t columns() const { return (extras_.bounds ? 2 : 1) * surfaces_.targets().size(); }
+  const PreparedSolver& solver() const { return solver_; }
 
   /// Fills the row of source `i`. `search`: on the reconstruction, by the solver or by what it planned. Throws as
   /// `distance_row`.
@@ -74,7 +75,8 @@ class RowMaker {
 };
 
 /// Makes the rows of the set that the sink has not, over at most `threads` threads, each with a search of its own by
-/// `solver`: the maker's, or with the surface for a plan (`prepare_plan`). Throws as `fill_rows` and `distance_row`.
+/// `solver`: the maker's, or with the surface for a plan (`prepare_plan`). Row 0 is by the maker's own either way, as
+/// that of a job, which times it before there is a plan. Throws as `fill_rows` and `distance_row`.
 void compute_rows(const RowSet& rows, const PreparedSolver& solver, RowMaker& maker, RowSink& sink, unsigned threads,
                   RunContext& context);
 

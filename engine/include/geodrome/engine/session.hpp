@@ -78,7 +78,8 @@ class Session {
   /// Distances from all sources to all targets, a row per source, over threads: a search per source. Start distances of
   /// targets do not count. Throws OptionError for a start distance or a limit that is no number >= 0 and for a rule
   /// that input or sources do not allow, CapabilityError for what the solver or the reconstructor does not provide.
-  /// Memory: a row and a search per thread.
+  /// Memory: a row and a search per thread, and what a solver that offers it (ManySearches) prepared for the rows of
+  /// all `sources` together: it stays for the next call with the same sources and limit.
   std::vector<double> distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                 const DistanceOptions& options = {}) const;
   /// Writes them into the caller's memory; throws OptionError unless it has sources.size() x targets.size() entries.
