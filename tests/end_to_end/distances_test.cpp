@@ -78,6 +78,14 @@ TEST_F(Distances, ArePreparedTogetherByASolverThatCan) {
       << outcome.err;
 }
 
+TEST_F(Distances, PreparedTogetherWronglyAreFoundByThePlainSearchesOfTheAudit) {
+  write("two.off", two_squares);
+  const Outcome outcome = run({"-o", (folder_ / "d.npy").string(), "--sources", "0,1", "--targets", "3", "--solver",
+                               "faulty_planned_long", "--plugin-path", GEODROME_BINARY_DIR "/tests/faulty_solvers"});
+  EXPECT_EQ(outcome.status, 5) << outcome.out;
+  EXPECT_NE(outcome.err.find("broken promise: the audit failed"), std::string::npos) << outcome.err;
+}
+
 TEST_F(Distances, BeyondTheLimitIsInfiniteAndCountedApartFromUnreachable) {
   write("two.off", two_squares);
   const Matrix d = matrix({"--max-distance", "1.1"});
