@@ -162,6 +162,31 @@ TEST_F(ManySearchesJob, GivesTheSameBytesAfterAResumedRun) {
   }
 }
 
+/// Sets of rows, from one process or several, take one preparation each.
+TEST_F(ManySearchesJob, GivesTheBytesOfASessionWhichPreparesOnceForTheSameSources) {
+  class Plans : public Observer {
+   public:
+    void log(LogLevel, std::string_view message) override { count += message == "solver: a plan came"; }
+    std::atomic<int> count = 0;
+  } plans;
+  run(job());
+  const std::vector<double> expected = read_npy(matrix_).values;
+  const Session session(file_, job().settings, plans);
+  const auto all = session.select("all"), some = session.select("3,5");
+  EXPECT_EQ(session.distances(all, all), expected);
+  std::vector<double> rows(expected.size(), -1);
+  MatrixInMemory<double> sink(rows, all.size(), all.size());
+  for (const std::uint64_t part : {2, 0, 1}) session.distances(all, all, sink, {}, RowSet::part(part, 3, all.size()));
+  EXPECT_EQ(rows, expected);
+  session.distances(all, all, sink);
+  session.distances({&some[0], 1}, all);
+  EXPECT_EQ(plans.count, 1);
+  session.distances(some, all);
+  EXPECT_EQ(plans.count, 2);
+  session.distances(some, all, {.max_distance = 1});
+  EXPECT_EQ(plans.count, 3);
+}
+
 TEST_F(ManySearchesJob, CancelledWhilePreparingLeavesWhatAResumedRunGoesOnWith) {
   DistanceJob waiting = job("test_together:answer=waits");
   for (const bool resume : {false, true}) {

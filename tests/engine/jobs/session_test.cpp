@@ -110,32 +110,6 @@ TEST_F(Sessions, WriteIntoTheCallersMemoryAndIntoSinks) {
   EXPECT_THROW(session.distances(some, all, sink, {}, RowSet::range(1, 3)), OptionError) << "there are two sources";
 }
 
-/// The solver marks by a rounding what it made for a plan, and counts no plan twice in the log.
-TEST_F(Sessions, PrepareRowsTogetherOnceForAllOfTheSameSources) {
-  class Plans : public Observer {
-   public:
-    void log(LogLevel, std::string_view message) override { count += message == "solver: a plan came"; }
-    std::atomic<int> count = 0;
-  } plans;
-  settings_.stages.solver = "test_together", settings_.plugin_path = {pair_plugins};
-  const Matrix expected = job_matrix({.input = file_});
-  const Session session(file_, settings_, plans);
-  const auto all = session.select("all"), some = session.select("3,5");
-  EXPECT_TRUE(same_bytes(session.distances(all, all), expected.values));
-  std::vector<double> rows(expected.values.size(), -1);
-  MatrixInMemory<double> sink(rows, all.size(), all.size());
-  for (const std::uint64_t part : {2, 0, 1}) session.distances(all, all, sink, {}, RowSet::part(part, 3, all.size()));
-  EXPECT_TRUE(same_bytes(rows, expected.values));
-  session.distances(all, all, sink);
-  EXPECT_EQ(plans.count, 1);
-  session.distances({&some[0], 1}, all);
-  EXPECT_EQ(plans.count, 1) << "for one row";
-  session.distances(some, all);
-  EXPECT_EQ(plans.count, 2);
-  session.distances(some, all, {.max_distance = 1});
-  EXPECT_EQ(plans.count, 3);
-}
-
 TEST_F(Sessions, ObeyLimitsAndStartDistances) {
   write_bytes(folder_ / "s.txt", "3 + 0.25\n7\n");
   const std::string list = "@" + (folder_ / "s.txt").string();
