@@ -170,6 +170,7 @@ void make_rows(const DistanceJob& job, const PreparedSolver& solver, const std::
   const RowSet all = RowSet::all(spec.rows);
   const std::size_t missing = missing_rows(all, sink).size();
   tell_size(spec, result.bytes, missing, result.first_row_seconds, plan.has_value(), threads, observer);
+  const Stopwatch stopwatch;
   PlannedSolver by{solver, {}};
   if (plan && missing > 0) {
     StageContext context(ShortestPathSolver::stage, observer, threads, job.settings.seed);
@@ -178,6 +179,9 @@ void make_rows(const DistanceJob& job, const PreparedSolver& solver, const std::
   }
   StageContext context("distances", observer, threads, job.settings.seed);
   compute_rows(all, by.solver, maker, sink, threads, context);
+  result.seconds = stopwatch.seconds() + result.first_row_seconds;
+  result.counters = maker.counters();
+  result.insertions = maker.insertions();
 }
 
 /// What the rows of the file show.
@@ -191,8 +195,7 @@ void check_rows(const DistanceJob& job, const PreparedSolver& solver, const Sour
 
 MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
                             std::span<const NamedPoint> sources, const std::string& fingerprint, Observer& observer) {
-  const std::span<const NamedPoint> targets = surfaces.targets().named();
-  const MatrixFile::Spec spec{job.matrix, sources.size(), targets.size(), job.scalar, fingerprint};
+  const MatrixFile::Spec spec{job.matrix, sources.size(), surfaces.targets().size(), job.scalar, fingerprint};
   const MatrixFile::Spec bounds = job.bounds.empty() ? MatrixFile::Spec{} : spec_of_bounds(spec, job.bounds);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = bytes_of(spec, bounds)};
   Certificates certificates(solver, spec.rows);
@@ -216,11 +219,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   std::vector<std::vector<double>> rows;  // as they stand on disk
   try {
     if (!sink.has(0)) sink.write(0, row);
-    const Stopwatch stopwatch;
     make_rows(job, solver, plan, maker, sink, spec, observer, result);
-    result.seconds = stopwatch.seconds() + result.first_row_seconds;
-    result.counters = maker.counters();
-    result.insertions = maker.insertions();
     result.certified = certificates.figures();
     check_rows(job, solver, surfaces, file, sources, result);
     for (const std::size_t i : audit.sources()) rows.push_back(file.read(i));
