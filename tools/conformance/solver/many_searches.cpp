@@ -3,6 +3,9 @@
 #include "geodrome/many_searches.hpp"
 
 #include <algorithm>
+#include <filesystem>
+
+#include "geodrome/engine/input.hpp"
 
 #include "tools/conformance/solver/path_trial.hpp"
 #include "tools/shapes/fuzz_mesh.hpp"
@@ -85,6 +88,16 @@ void judge_request(SolverTrial& t, Planned& planned, const std::vector<Source>& 
   }
 }
 
+/// A dozen rows of all vertices; returns whether the solver finds that it pays.
+bool judge_some_rows(SolverTrial& t, const MeshPtr& mesh) {
+  const std::vector<SurfacePoint> sources = all_vertices(*mesh);
+  Planned planned(t, mesh, sources);
+  if (!planned.prepared) return false;
+  for (std::size_t i = 0; i < sources.size(); i += 1 + sources.size() / 12)
+    judge_request(t, planned, {{sources[i]}}, {}, {sources[0], sources[i]}, mesh->face_count(), " faces, source ", i);
+  return true;
+}
+
 void meshes(SolverTrial& t) {
   table_of(t);
   std::vector<MeshPtr> meshes{
@@ -95,14 +108,22 @@ void meshes(SolverTrial& t) {
   bool paid = false;
   for (const MeshPtr& mesh : meshes) {
     if (!t.fits(*mesh) || mesh->face_count() == 0 || mesh->face_count() > 1500) continue;
-    const std::vector<SurfacePoint> sources = all_vertices(*mesh);
-    Planned planned(t, mesh, sources);
-    if (!planned.prepared) continue;
-    paid = true;
-    for (std::size_t i = 0; i < sources.size(); i += 1 + sources.size() / 12)
-      judge_request(t, planned, {{sources[i]}}, {}, {sources[0], sources[i]}, mesh->face_count(), " faces, source ", i);
+    paid |= judge_some_rows(t, mesh);
   }
   if (!paid) throw NotApplicable{"the solver finds that to prepare searches together would not pay on small meshes"};
+}
+
+void given(SolverTrial& t) {
+  table_of(t);
+  if (t.subject.meshes.empty()) throw NotApplicable{"no mesh was given"};
+  bool paid = false;
+  for (const std::filesystem::path& file : t.subject.meshes) {
+    Input input = read_input(file, {.as = InputKind::mesh});
+    const auto mesh = std::make_shared<const SurfaceMesh>(std::move(input.positions), std::move(input.triangles));
+    t.holds(t.fits(*mesh), "a mesh that fits the solver's needs", file.string());
+    paid |= judge_some_rows(t, mesh);
+  }
+  if (!paid) throw NotApplicable{"the solver finds that to prepare searches together would not pay on these meshes"};
 }
 
 void requests(SolverTrial& t) {
@@ -216,6 +237,7 @@ void bytes_held(SolverTrial& t) {
 DemandTable many_search_demands() {
   return {
       solver_demand<meshes>("together.meshes", "searches prepared together give the distances of plain ones"),
+      solver_demand<given>("together.given", "so they do on the meshes that were given"),
       solver_demand<requests>("together.requests", "so they do for sources, targets and limits of all kinds"),
       solver_demand<paths>("together.paths", "their paths run on the surface, as long as the distance"),
       solver_demand<other_plans>("together.other_plans", "what a plan does not hold is answered too"),
