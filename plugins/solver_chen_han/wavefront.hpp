@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <limits>
+#include <cstddef>
 #include <utility>
-#include <vector>
 
 #include "geodrome/solver_kit/packed_mesh.hpp"
-#include "plugins/common/exact/tolerances.hpp"
-#include "plugins/common/mesh/bucket_queue.hpp"
-#include "plugins/common/mesh/prefetch.hpp"
+#include "plugins/common/mesh/surface_queue.hpp"
 #include "plugins/solver_chen_han/window_store.hpp"
 
 namespace geodrome::chen_han {
@@ -18,14 +13,11 @@ namespace geodrome::chen_han {
 /// What waits: blocks of windows at half-edges and vertices that are to emit, in a queue, nearest first.
 class Wavefront {
  public:
-  explicit Wavefront(const PackedMesh& surface)
-      : surface_(surface),
-        slots_(3 * surface.face_count() + surface.vertex_count()),
-        half_edges_(static_cast<Index>(3 * surface.face_count())) {}
+  explicit Wavefront(const PackedMesh& surface) : surface_(surface), queue_(surface) {}
 
   /// Drops all that waits.
   void clear();
-  bool empty() const { return waiting_ == 0; }
+  bool empty() const { return queue_.empty(); }
 
   /// What left the queue: a half-edge with the first of its blocks, which are the caller's now, or a vertex.
   struct Next {
@@ -36,28 +28,17 @@ class Wavefront {
   /// that one of them will need. Precondition: not empty.
   template <class FetchVertex>
   Next pop(FetchVertex&& fetch_vertex) {
-    BucketQueue::Entry entry;
-    do entry = queue_.pop(), fetch_ahead(fetch_vertex);
-    while (entry.key != slots_[entry.element].key);
-    --waiting_;
-    Slot& slot = slots_[entry.element];
-    slot.key = not_waiting;
-    if (entry.element >= half_edges_) return {nullptr, entry.element - half_edges_};
-    return {&store_[std::exchange(slot.block, no_index)], entry.element};
+    const SurfaceQueue::Next next = queue_.pop(fetch_vertex, [this](Index block) { prefetch(store_.place_of(block)); });
+    return {next.is_vertex() ? nullptr : &store_[next.first], next.element};
   }
 
-  void push_vertex(Index vertex, double distance) { wait(half_edges_ + vertex, key_of(distance)); }
+  void push_vertex(Index vertex, double distance) { queue_.push_vertex(vertex, distance); }
 
   /// Lets a block, which becomes the wavefront's, wait at a half-edge in whose frame it is, `length` long.
-  /// Precondition: the block's `near` is set. A half-edge that waits keeps its place in the queue unless the block is
-  /// nearer by more than a quarter of the patience: hardly anything is carried on twice for that, and less is queued
-  /// twice.
+  /// Precondition: the block's `near` is set.
   void push_block(Block& block, Index half_edge, double length) {
-    const Slot& slot = slots_[half_edge];
-    block.next = slot.block;
-    slots_[half_edge].block = block.number;
-    const float key = key_of(block.near + patience * length), enough = static_cast<float>(0.25 * patience * length);
-    if (slot.key == not_waiting || key < slot.key - enough) wait(half_edge, key);
+    block.next = std::exchange(queue_.first(half_edge), block.number);
+    queue_.push_half_edge(half_edge, block.near, length);
   }
 
   /// Lets copies of a block, which is released, wait at every other half-edge on an edge. The block is in the frame of
@@ -68,54 +49,12 @@ class Wavefront {
   Block& copy_of(Block& block, bool mirrored, double length);
 
   WindowStore& store() { return store_; }
-  std::size_t bytes() const { return store_.bytes() + queue_.bytes() + slots_.capacity() * sizeof(Slot); }
+  std::size_t bytes() const { return store_.bytes() + queue_.bytes(); }
 
  private:
-  static constexpr float not_waiting = std::numeric_limits<float>::infinity();
-
-  struct Slot {
-    float key = not_waiting;  ///< of the entry in the queue that counts
-    Index block = no_index;   ///< the first
-  };
-
-  static float key_of(double distance) { return static_cast<float>(std::min(distance, 1e38)); }
-  template <class FetchVertex>
-  void fetch_ahead(FetchVertex&& fetch_vertex) const {
-    queue_.look_ahead(8, [&](Index soon) {
-      prefetch(&slots_[soon]);
-      if (soon >= half_edges_)
-        prefetch(surface_.corners(soon - half_edges_).data());
-      else
-        prefetch_two_lines(surface_.face_of(soon));
-    });
-    queue_.look_ahead(3, [&](Index soon) {
-      if (soon >= half_edges_) {
-        for (const Index corner : surface_.corners(soon - half_edges_)) prefetch_two_lines(surface_.face_of(corner));
-        return;
-      }
-      const PackedMesh::Face& face = surface_.face_of(soon);
-      for (int i = 0; i < 3; ++i) {
-        fetch_vertex(face.vertex[i]);
-        const Index across = PackedMesh::only_across(face, i).half_edge;
-        if (across != no_index) prefetch(&slots_[across]);
-      }
-      if (slots_[soon].block != no_index) prefetch(store_.place_of(slots_[soon].block));
-    });
-  }
-  void wait(Index element, float key) {
-    Slot& slot = slots_[element];
-    waiting_ += slot.key == not_waiting;
-    if (!(key < slot.key)) return;
-    slot.key = key;
-    queue_.push(element, key);
-  }
-
   const PackedMesh& surface_;
-  std::vector<Slot> slots_;  ///< half-edges, then vertices
-  Index half_edges_;
-  BucketQueue queue_;
+  SurfaceQueue queue_;
   WindowStore store_;
-  std::size_t waiting_ = 0;  ///< elements
 };
 
 }  // namespace geodrome::chen_han

@@ -44,14 +44,14 @@ void Propagation::begin(bool keep, double limit) {
 }
 
 void Propagation::next() {
-  const Wavefront::Next next = wavefront_.pop([this](Index vertex) {
+  const SurfaceQueue::Next next = wavefront_.pop([this](Index vertex) {
     prefetch(&labels_[vertex]);
     prefetch(&upper_[vertex]);
   });
-  if (next.vertex != no_index)
-    emit(next.vertex);
+  if (next.is_vertex())
+    emit(next.element);
   else
-    process(next.half_edge, next.window);
+    process(next.element, next.first);
 }
 
 /// Throws MergingFails; not when much of the work is done, which would be lost.

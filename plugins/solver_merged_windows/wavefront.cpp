@@ -28,17 +28,10 @@ bool all_beyond(double limit, double near, std::span<const Window> run) {
 
 void Wavefront::clear() {
   while (!empty()) {
-    for (Index window = pop([](Index) {}).window; window != no_index;)
+    for (Index window = pop([](Index) {}).first; window != no_index;)
       pool_.release(std::exchange(window, pool_[window].next));
   }
   queue_.clear();
-}
-
-Wavefront::Next Wavefront::taken(Index element) {
-  --waiting_;
-  const Slot slot = std::exchange(slots_[element], {});
-  if (element >= half_edges_) return {no_index, no_index, element - half_edges_};
-  return {element, slot.first, no_index};
 }
 
 std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double limit) {
@@ -48,7 +41,7 @@ std::size_t Wavefront::push_run(std::span<const Window> run, Index edge, double 
   std::size_t pushed = 0;
   surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
     chain(run, half_edge, mirrored, length);
-    wait(half_edge, key_of(near + patience * length));
+    queue_.push_half_edge(half_edge, near, length);
     pushed += run.size();
   });
   return pushed;
@@ -63,7 +56,7 @@ bool Wavefront::push_alone(Index window, const PackedMesh::Across& across, doubl
   }
   if (across.mirrored) mirror(child, length);
   insert_run(window, window, across.half_edge);
-  wait(across.half_edge, key_of(near + patience * length));
+  queue_.push_half_edge(across.half_edge, near, length);
   return true;
 }
 
@@ -80,7 +73,7 @@ bool Wavefront::push_two(Index left, Index right, const PackedMesh::Across& acro
   }
   pool_[left].next = right, pool_[left].ends_run = false;
   insert_run(left, right, across.half_edge);
-  wait(across.half_edge, key_of(near + patience * length));
+  queue_.push_half_edge(across.half_edge, near, length);
   return true;
 }
 
@@ -100,7 +93,7 @@ void Wavefront::chain(std::span<const Window> run, Index half_edge, bool mirrore
 /// Inserts windows that are linked where their entry belongs. What came earlier by the same entry is in no order with
 /// them, so they become loose.
 void Wavefront::insert_run(Index first, Index last, Index half_edge) {
-  Index* link = &slots_[half_edge].first;
+  Index* link = &queue_.first(half_edge);
   if (*link == no_index) {
     pool_[last].next = no_index, pool_[last].ends_run = true;
     *link = first;
