@@ -32,7 +32,7 @@ class BucketQueue {
     ++count_;
     if (number <= present_number_)
       push_present({key, element});
-    else if (number < present_number_ + size)
+    else if (number < present_number_ + static_cast<std::int64_t>(size))
       bucket(number).push_back({key, element}), ++in_ring_;
     else
       beyond_.push_back({key, element}), first_beyond_ = std::min(first_beyond_, number);
@@ -54,14 +54,14 @@ class BucketQueue {
   void look_ahead(std::size_t count, Visit&& visit) const {
     const std::size_t place = is_heap_ ? count : taken_ + count;
     if (place < present_.size()) return visit(present_[place].element);
-    const std::vector<Entry>& next = ring_[static_cast<std::size_t>((present_number_ + 1) % size)];
+    const std::vector<Entry>& next = ring_[place_of(present_number_ + 1)];
     if (place - present_.size() < next.size()) visit(next[place - present_.size()].element);
   }
 
   std::size_t bytes() const;
 
  private:
-  static constexpr std::int64_t size = 1024;
+  static constexpr std::size_t size = 1024;
   static constexpr float farthest = 1e15F;  ///< all beyond it is one bucket
   static constexpr std::int64_t nowhere = std::numeric_limits<std::int64_t>::max();
 
@@ -69,7 +69,8 @@ class BucketQueue {
   static std::int64_t bucket_of(float key) {
     return static_cast<std::int64_t>(std::min(key, farthest) * buckets_a_unit);
   }
-  std::vector<Entry>& bucket(std::int64_t number) { return ring_[static_cast<std::size_t>(number % size)]; }
+  static std::size_t place_of(std::int64_t number) { return static_cast<std::size_t>(number) % size; }
+  std::vector<Entry>& bucket(std::int64_t number) { return ring_[place_of(number)]; }
   void push_present(Entry entry) {
     present_.push_back(entry);
     if (is_heap_)
