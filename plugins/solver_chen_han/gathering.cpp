@@ -5,25 +5,16 @@
 
 namespace geodrome::chen_han {
 
-Gathering::Gathered Gathering::gather(Index half_edge, Block& first) {
+Gathering::Gathered Gathering::gather_several(Index half_edge, Block& first) {
   loose_.clear(), rest_.clear();
   Index depth = first.depth;
-  Span list = first.next == no_index ? first.span() : in_order(first, depth);
+  Span list = in_order(first, depth);
   if (list.count > 0) trim(list, rest_);
   if (!loose_.empty() || !rest_.empty() || surface_.branches(half_edge)) list = merged(half_edge, list);
   return {list, depth};
 }
 
-void Gathering::release(Block& first) {
-  for (Block* b = &first; b;) {
-    Block* next = following(*b);
-    store_.release(*b);
-    b = next;
-  }
-}
-
-void Gathering::trim(Span& list, std::vector<Span>& rest) {
-  list.count = trimming_.trim(list.windows, list.count, breaks_);
+void Gathering::part_at_breaks(Span& list, std::vector<Span>& rest) {
   for (; !breaks_.empty(); breaks_.pop_back()) {
     const std::size_t first = breaks_.back();
     rest.push_back({list.windows.without(first), list.count - first});

@@ -23,17 +23,35 @@ class Gathering {
     Index depth;  ///< the least of the blocks
   };
   /// All of the blocks at a half-edge, of which `first` is the first.
-  Gathered gather(Index half_edge, Block& first);
+  Gathered gather(Index half_edge, Block& first) {
+    if (first.next != no_index || surface_.branches(half_edge)) return gather_several(half_edge, first);
+    Span list = first.span();
+    rest_.clear();
+    trim(list, rest_);
+    if (!rest_.empty()) loose_.clear(), list = merged(half_edge, list);
+    return {list, first.depth};
+  }
   /// Gives the blocks back.
-  void release(Block& first);
+  void release(Block& first) {
+    for (Block* b = &first; b;) {
+      Block* next = following(*b);
+      store_.release(*b);
+      b = next;
+    }
+  }
 
   /// Trims a list in order. Where it has breaks, what is behind them goes to `rest`.
-  void trim(Span& list, std::vector<Span>& rest);
+  void trim(Span& list, std::vector<Span>& rest) {
+    list.count = trimming_.trim(list.windows, list.count, breaks_);
+    if (!breaks_.empty()) part_at_breaks(list, rest);
+  }
 
   std::size_t bytes() const { return joined_.bytes() + merged_.bytes(); }
 
  private:
   Block* following(const Block& block) { return block.next == no_index ? nullptr : &store_[block.next]; }
+  void part_at_breaks(Span& list, std::vector<Span>& rest);
+  Gathered gather_several(Index half_edge, Block& first);
   Span in_order(Block& first, Index& depth);
   Span joined(const std::array<Block*, 3>& ordered);
   Span merged(Index half_edge, const Span& list);

@@ -26,9 +26,7 @@ struct WindowRow {
 
 }  // namespace
 
-std::size_t Trimming::trim(const WindowArrays& w, std::size_t count, std::vector<std::uint32_t>& breaks) {
-  breaks.clear();
-  if (lanes_->cut(w, count).is_whole()) return count;
+std::size_t Trimming::finish(const WindowArrays& w, std::size_t count, std::vector<std::uint32_t>& breaks) {
   const std::size_t end = trim_row(WindowRow{w, count}, count, breaks);
   dropped_ += count - end;
   return end;

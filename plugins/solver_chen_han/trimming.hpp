@@ -17,9 +17,11 @@ class Trimming {
   explicit Trimming(const Lanes& lanes) : lanes_(&lanes) {}
 
   /// Trims `count` >= 1 ordered windows that may overlap until they are disjoint and ascending, and drops what is left
-  /// empty; returns how many remain. `breaks` gets the positions before which a pair could not be put in order: the
-  /// list is ordered between them only.
-  std::size_t trim(const WindowArrays& windows, std::size_t count, std::vector<std::uint32_t>& breaks);
+  /// empty; returns how many remain. `breaks`, empty before, gets the positions before which a pair could not be put in
+  /// order: the list is ordered between them only.
+  std::size_t trim(const WindowArrays& windows, std::size_t count, std::vector<std::uint32_t>& breaks) {
+    return lanes_->cut(windows, count).is_whole() ? count : finish(windows, count, breaks);
+  }
 
   /// Merges two lists of disjoint, ascending windows of which nothing is known about how they enter: at every point of
   /// the half-edge the one that is nearer there stays. A window may come out in pieces. O(n + m).
@@ -32,6 +34,8 @@ class Trimming {
   std::size_t bytes() const { return merged_.bytes(); }
 
  private:
+  std::size_t finish(const WindowArrays& windows, std::size_t count, std::vector<std::uint32_t>& breaks);
+
   const Lanes* lanes_;
   WindowList merged_;
   std::uint64_t dropped_ = 0;
