@@ -99,33 +99,38 @@ template <int N>
   return {Double::any(unsure), Double::any(empty)};
 }
 
-/// Takes 64 windows at a time, as bits: those with lines to the right must be the last ones, those with lines to the
-/// left the first ones.
+/// Parts up to 64 windows, as bits: those with lines to the right must be the last ones, those with lines to the left
+/// the first ones.
 template <int N>
-[[gnu::flatten]] Parting part(const WindowArrays& w, std::size_t count, double x, double y) {
+Parting part_some(const WindowArrays& w, std::size_t count, double x, double y) {
   using Double = Register<N>;
   const Double zero;
-  Parting parting{count, count, true};
+  unsigned long long right = 0, left = 0;
+  for (std::size_t i = 0; i < count; i += N) {
+    const Double ix(w.x() + i), iy(w.y() + i);
+    const auto is_right = side_of_line(ix, iy, Double(w.high() + i), x, y) > zero;
+    const auto is_left = side_of_line(ix, iy, Double(w.low() + i), x, y) < zero;
+    right |= static_cast<unsigned long long>(Double::bits(is_right)) << i;
+    left |= static_cast<unsigned long long>(Double::bits(is_left)) << i;
+  }
+  const unsigned long long all = ~0ULL >> (64 - count), no_right = all & ~right;
+  left &= all;
+  const bool in_order = ((no_right & (no_right + 1)) | (left & (left + 1))) == 0;
+  // In order, these are runs of ones from bit 0: their lengths.
+  const auto length = [](unsigned long long run) { return run == ~0ULL ? 64 : __builtin_ctzll(~run); };
+  return {static_cast<std::size_t>(length(no_right)), static_cast<std::size_t>(length(left)), in_order};
+}
+
+template <int N>
+[[gnu::flatten]] Parting part(const WindowArrays& w, std::size_t count, double x, double y) {
+  if (count <= 64) return part_some<N>(w, count, x, y);
+  Parting parting{0, 0, true};
   for (std::size_t base = 0; base < count; base += 64) {
     const std::size_t size = count - base < 64 ? count - base : 64;
-    unsigned long long right = 0, left = 0;
-    for (std::size_t i = 0; i < size; i += N) {
-      const Double ix(w.x() + base + i), iy(w.y() + base + i);
-      const auto is_right = side_of_line(ix, iy, Double(w.high() + base + i), x, y) > zero;
-      const auto is_left = side_of_line(ix, iy, Double(w.low() + base + i), x, y) < zero;
-      right |= static_cast<unsigned long long>(Double::bits(is_right)) << i;
-      left |= static_cast<unsigned long long>(Double::bits(is_left)) << i;
-    }
-    const unsigned long long all = ~0ULL >> (64 - size);
-    right &= all, left &= all;
-    const unsigned long long not_right = all & ~right;
-    parting.in_order = parting.in_order && (not_right & (not_right + 1)) == 0 && (left & (left + 1)) == 0;
-    parting.in_order = parting.in_order && (parting.right_begin == count || not_right == 0) &&
-                       (parting.left_end == count || left == 0);
-    if (right != 0 && parting.right_begin == count)
-      parting.right_begin = base + static_cast<std::size_t>(__builtin_ctzll(right));
-    if (left != all && parting.left_end == count)
-      parting.left_end = base + static_cast<std::size_t>(__builtin_ctzll(~left));
+    const Parting some = part_some<N>(w.without(base), size, x, y);
+    parting.in_order = parting.in_order && some.in_order && (some.right_begin == 0 || parting.right_begin == base) &&
+                       (some.left_end == 0 || parting.left_end == base);
+    parting.right_begin += some.right_begin, parting.left_end += some.left_end;
   }
   return parting;
 }
