@@ -22,7 +22,11 @@ chen_han::Simd simd_level(const std::string& name) {
 
 }  // namespace
 
-ChenHanSolver::ChenHanSolver(const Choices& choices) : settings_{choices.filter, simd_level(choices.simd)} {}
+ChenHanSolver::ChenHanSolver(const Choices& choices)
+    : settings_{.filter = choices.filter,
+                .simd = simd_level(choices.simd),
+                .rows = choices.rows,
+                .most_list_bytes = std::size_t{choices.lists_memory} << 20} {}
 
 std::unique_ptr<PreparedSurface> ChenHanSolver::prepare(MeshPtr mesh, RunContext& context) const {
   return prepare_exact<chen_han::Propagation>(std::move(mesh), settings_, context);

@@ -22,12 +22,18 @@ class ChenHanSolver final : public ShortestPathSolver {
   struct Choices {
     bool filter;
     std::string simd;
+    chen_han::Rows rows;
+    std::uint32_t lists_memory;
   };
-  static constexpr auto options =
-      settings_table(option("filter", &Choices::filter, "xin_wang", "xin_wang|off", {true, false},
-                            "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
-                     option("simd", &Choices::simd, "auto", "auto|baseline|avx2|avx512",
-                            "processor level of the inner loops; same results"));
+  static constexpr auto options = settings_table(
+      option("filter", &Choices::filter, "xin_wang", "xin_wang|off", {true, false},
+             "drop windows that a vertex makes needless; off shows what that brings, on small meshes"),
+      option("simd", &Choices::simd, "auto", "auto|baseline|avx2|avx512",
+             "processor level of the inner loops; same results"),
+      option("rows", &Choices::rows, "auto", "auto|plain|lists",
+             {chen_han::Rows::automatic, chen_han::Rows::plain, chen_han::Rows::lists},
+             "how rows of a matrix are made: each alone, or by lists of direct paths; auto: less work"),
+      option("lists_memory", &Choices::lists_memory, "2048", 1, 1048576, "MiB", "lists of direct paths take no more"));
 
   /// Throws OptionError for a level that the processor does not have.
   explicit ChenHanSolver(const OptionValues& values) : ChenHanSolver(options.parsed(values)) {}

@@ -66,6 +66,8 @@ void Propagation::begin(bool keep, double limit) {
   trimming_.reset();
   fans_.reset();
   counts_ = {};
+  direct_ = nullptr;
+  wavefront_.mark_mirrored(0);
 }
 
 void Propagation::next() {
@@ -75,7 +77,7 @@ void Propagation::next() {
     if (gathered.list.count > 0) pass(next.element, gathered.list, gathered.depth);
     gathering_.release(*next.block);
   } else {
-    emit(next.element);
+    direct_ ? go_on_from(next.element) : emit(next.element);
   }
   counts_.trimmed = trimming_.dropped();
 }
@@ -83,7 +85,8 @@ void Propagation::next() {
 void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double, Entry entry) {
   Block& block = store_.add(1);
   block.entry = entry, block.depth = 1;
-  block.windows().set(0, {apex.length - from.x, -from.y, from.sigma, 0, apex.length, from.origin, no_index});
+  const Index parent = direct_ ? direct_->first_bearing(apex.left()) : no_index;
+  block.windows().set(0, {apex.length - from.x, -from.y, from.sigma, 0, apex.length, from.origin, parent});
   block.near = nearness(block.span());
   hand_on(block, apex.face, apex.half_edge);
 }
@@ -92,7 +95,7 @@ void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double,
 void Propagation::pass(Index half_edge, Span list, Index depth) {
   if (surface_.is_copy(half_edge / 3) && !keep_ && watched_.empty()) return;
   const Apex apex(surface_, half_edge);
-  filter(list, apex.length, labels_.distance(apex.start()), labels_.distance(apex.end()));
+  filter(list, apex.length, shortest_to(apex.start()), shortest_to(apex.end()));
   if (list.count == 0) return;
   ++counts_.passes;
   counts_.propagated += list.count;
@@ -124,7 +127,8 @@ void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index dep
   for (std::size_t i = 0; i < list.count; ++i) {
     const Sides sides{has_left(apex, w, i), has_right(apex, w, i), w.to(i, apex.x, apex.y)};
     const double x = sides.both() ? w.x()[i] : sides.left ? w.high()[i] : w.low()[i];
-    lower_apex_by(apex, list, i, x, way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex())));
+    const double way = way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex()));
+    if (may_lower(apex, list, i, way)) lower_apex_by(apex, list, i, x, way);
     if (sides.both() && (best == list.count || sides.way < sides_[best].way)) best = i;
     sides_.push_back(sides);
   }
@@ -156,8 +160,11 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
   const Register<2> x = both(w.high()[left], w.low()[right]), along = x - Register<2>(apex.x);
   const ImagePair images(w.get(left), w.get(right));
   const Register<2> way = images.at(x) + root(along * along + Register<2>(apex.y * apex.y));
-  if (before > 0 && matters(way.v[0], w.sigma()[left])) lower_apex_by(apex, list, left, x.v[0], way.v[0]);
-  if (after < list.count && matters(way.v[1], w.sigma()[right])) lower_apex_by(apex, list, right, x.v[1], way.v[1]);
+  const auto bent = [&](std::size_t i, double place, double length) {
+    if (matters(length, w.sigma()[i]) && may_lower(apex, list, i, length)) lower_apex_by(apex, list, i, place, length);
+  };
+  if (before > 0) bent(left, x.v[0], way.v[0]);
+  if (after < list.count) bent(right, x.v[1], way.v[1]);
   lower_along_edges(apex);
 }
 
@@ -165,7 +172,10 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
 void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t i, double x, double distance) {
   const WindowArrays& w = list.windows;
   const PseudoSource image{w.x()[i], w.y()[i], w.sigma()[i], w.names()[i].origin};
-  lower_apex_from(apex, image, x, distance, [&] { return Step{.window = w.names()[i].parent}; });
+  lower_apex_from(apex, image, x, distance, [&] {
+    if (direct_) note_exit(apex, w, i, x);
+    return Step{.window = w.names()[i].parent};
+  });
 }
 
 void Propagation::lower_watched(Index half_edge, const Span& list) {
@@ -186,6 +196,8 @@ void Propagation::carry(const Apex& apex, const Child& left, const Child& right,
   if (left.list.count > 0 && !apex.left_is_boundary()) left_block = &carried(left, turn_left(apex), Entry::left, depth);
   if (right.list.count > 0 && !apex.right_is_boundary())
     right_block = &carried(right, turn_right(apex), Entry::right, depth);
+  if (direct_ && left_block) direct_->turn(left_block->span(), direct_->angle(apex.half_edge));
+  if (direct_ && right_block) direct_->turn(right_block->span(), Bearing{0} - direct_->angle(apex.right()));
   if (left_block) hand_on(*left_block, apex.face, apex.left());
   if (right_block) hand_on(*right_block, apex.face, apex.right());
 }

@@ -12,6 +12,7 @@
 #include "plugins/solver_chen_han/fan_windows.hpp"
 #include "plugins/solver_chen_han/gathering.hpp"
 #include "plugins/solver_chen_han/kept_windows.hpp"
+#include "plugins/solver_chen_han/rows/direct_run.hpp"
 #include "plugins/solver_chen_han/settings.hpp"
 #include "plugins/solver_chen_han/trimming.hpp"
 #include "plugins/solver_chen_han/wavefront.hpp"
@@ -57,6 +58,10 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   /// Forgets the last run. With `keep` all windows that are carried on are kept.
   void begin(bool keep, double limit);
+  /// The same, and starts at a vertex, for a direct run: no other vertex sends windows, and a run ends where their
+  /// bounds (DirectRun) are shorter than all windows. Labels are those of direct paths, complete where one is shortest.
+  /// `direct` outlives the run.
+  void begin_direct(DirectRun& direct, Index source, double limit);
 
   /// After a run with `keep`: the shortest way through a window to a point that is no vertex, none unless it is shorter
   /// than `best`. O(windows of the face).
@@ -65,6 +70,9 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void trace(const Way& way, std::vector<SurfacePoint>& out) const;
   /// The same from a vertex, which comes first; nothing if it is a source.
   void trace_from_vertex(Index vertex, std::vector<SurfacePoint>& out) const;
+
+  /// After a run: the shortest path found to a vertex.
+  const Label& label(Index vertex) const { return labels_[vertex]; }
 
   /// What the run took; the last is the memory.
   std::array<Counter, 8> counters() const;
@@ -82,6 +90,24 @@ class Propagation : public VertexPropagation<Propagation, Step> {
 
   Wavefront& waiting() { return wavefront_; }
   std::uint64_t carried() const { return counts_.propagated; }
+  bool ended() const { return direct_ && emissions() > 0 ? !wavefront_.has_windows() : wavefront_.empty(); }
+  bool is_to_wait(Index vertex, const Label& label) {
+    return direct_ ? direct_->lower(vertex, label.distance) : VertexPropagation::is_to_wait(vertex, label);
+  }
+  double along_edges_from(Index vertex) const {
+    return direct_ && !direct_->passes(vertex) ? infinity : labels_.distance(vertex);
+  }
+  void lowered_along_edge(Index vertex, Index from, double) {
+    if (direct_) note_exit_along_edge(vertex, from);
+  }
+  double shortest_to(Index vertex) const { return direct_ ? direct_->bound(vertex) : labels_.distance(vertex); }
+  /// Whether a path of this length through window i to the apex counts, if it is no way around a vertex.
+  bool may_lower(const Apex& apex, const Span& list, std::size_t i, double length) const {
+    return !direct_ || direct_->is_straight(length, list.windows.to(i, apex.x, apex.y));
+  }
+  void go_on_from(Index vertex);
+  void note_exit_along_edge(Index vertex, Index from);
+  void note_exit(const Apex& apex, const WindowArrays& windows, std::size_t i, double x);
   void next();
   void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
 
@@ -102,6 +128,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void pass_at_once(Block& block, Index edge);
 
   Settings settings_;
+  DirectRun* direct_ = nullptr;  ///< in a direct run, in which `parent` of windows is the Bearing of their frame
   const Lanes* lanes_;
   Wavefront wavefront_;
   WindowStore& store_;

@@ -37,7 +37,8 @@ Block& Wavefront::copy_of(Block& block, bool mirrored, double length) {
   } else {
     for (std::size_t i = 0; i < count; ++i) {
       const Window w = from.get(i);
-      to.set(count - 1 - i, {length - w.x, w.y, w.sigma, length - w.high, length - w.low, w.origin, w.parent});
+      to.set(count - 1 - i,
+             {length - w.x, w.y, w.sigma, length - w.high, length - w.low, w.origin, w.parent | mirror_bits_});
     }
   }
   return copy;

@@ -18,6 +18,10 @@ class Wavefront {
   /// Drops all that waits.
   void clear();
   bool empty() const { return queue_.empty(); }
+  /// Whether windows wait, not vertices alone.
+  bool has_windows() const { return queue_.has_half_edges(); }
+  /// Lets a mirrored window say so by these bits, set in its `parent`.
+  void mark_mirrored(Index bits) { mirror_bits_ = bits; }
 
   /// What left the queue: a half-edge with the first of its blocks, which are the caller's now, or a vertex.
   struct Next {
@@ -53,6 +57,7 @@ class Wavefront {
 
  private:
   const PackedMesh& surface_;
+  Index mirror_bits_ = 0;
   SurfaceQueue queue_;
   WindowStore store_;
 };

@@ -21,6 +21,8 @@ class ExactPrepared final : public PreparedSurface {
 
   std::unique_ptr<Search> make_search() const override { return std::make_unique<PreparedSearch>(surface_, settings_); }
   std::size_t bytes() const override { return surface_->bytes(); }
+  const std::shared_ptr<const PackedMesh>& surface() const { return surface_; }
+  const Settings& settings() const { return settings_; }
 
  private:
   std::shared_ptr<const PackedMesh> surface_;

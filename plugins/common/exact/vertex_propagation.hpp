@@ -49,8 +49,8 @@ struct PseudoSource {
 ///   face wait beyond a half-edge of it, `apex.half_edge`, in whose frame the point is. `to_end` is the length of the
 ///   half-edge less from.x, told apart from 0 where rounding would not;
 /// - `std::uint64_t carried() const`: how many lines it has carried across faces in this run;
-/// - optionally `polled`, `seed_face`, `lowered_along_edge`, `lowered_straight` and `lowered_at_source` in place of
-///   those here.
+/// - optionally `polled`, `ended`, `is_to_wait`, `along_edges_from`, `seed_face`, `lowered_along_edge`,
+///   `lowered_straight` and `lowered_at_source` in place of those here.
 template <class Solver, class Step>
 class VertexPropagation {
  public:
@@ -70,7 +70,7 @@ class VertexPropagation {
   /// Throws Cancelled if the user stops the run, NumericalError if lines multiply beyond `most_carried`.
   template <class LowerLimit>
   void run(const RunContext& context, LowerLimit&& lower_limit) {
-    for (std::size_t step = 0; !solver().waiting().empty(); ++step) {
+    for (std::size_t step = 0; !solver().ended(); ++step) {
       if (step % steps_a_poll == 0) context.throw_if_cancelled(), refuse_to_explode();
       if (step % steps_a_poll == steps_a_poll - 1) limit_ = std::min(limit_, lower_limit()), solver().polled();
       solver().next();
@@ -90,6 +90,14 @@ class VertexPropagation {
   void begin(bool keep, double limit);
   /// Is called now and then, for a solver that watches its run.
   void polled() {}
+  /// Tells whether the run is over.
+  bool ended() { return solver().waiting().empty(); }
+  /// Returns the length of the path to a vertex that may go on along an edge, infinite if none may.
+  double along_edges_from(Index vertex) const { return labels_.distance(vertex); }
+  /// Tells whether a vertex that got this label is to wait in the queue.
+  bool is_to_wait(Index vertex, const Label& label) {
+    return label.corner == no_index || label.all_sides() || surface_.kind(vertex) != PackedMesh::VertexKind::smooth;
+  }
   /// Are called when a label was lowered by the path along an edge, by one straight from a source in a face, and by a
   /// source that is the vertex: for a solver whose answers are not the labels.
   void lowered_along_edge(Index /*vertex*/, Index /*from*/, double /*length*/) {}
@@ -161,14 +169,13 @@ void VertexPropagation<Solver, Step>::refuse_to_explode() {
 template <class Solver, class Step>
 void VertexPropagation<Solver, Step>::lower(Index vertex, const Label& label, const Step& step) {
   labels_.set(vertex, label, step);
-  if (label.corner == no_index || label.all_sides() || surface_.kind(vertex) != PackedMesh::VertexKind::smooth)
-    solver().waiting().push_vertex(vertex, label.distance);
+  if (solver().is_to_wait(vertex, label)) solver().waiting().push_vertex(vertex, label.distance);
 }
 
 template <class Solver, class Step>
 void VertexPropagation<Solver, Step>::lower_along_edges(const Apex& apex) {
-  const double by_start = labels_.distance(apex.start()) + apex.left_length();
-  const double by_end = labels_.distance(apex.end()) + apex.right_length();
+  const double by_start = solver().along_edges_from(apex.start()) + apex.left_length();
+  const double by_end = solver().along_edges_from(apex.end()) + apex.right_length();
   if (label_is_lower(apex.vertex(), by_start)) {
     lower(apex.vertex(), {by_start, {}, apex.left(), labels_[apex.start()].source}, {.vertex = apex.start()});
     solver().lowered_along_edge(apex.vertex(), apex.start(), apex.left_length());

@@ -24,6 +24,8 @@ class SurfaceQueue {
         half_edges_(static_cast<Index>(3 * surface.face_count())) {}
 
   bool empty() const { return waiting_ == 0; }
+  /// Whether half-edges wait, not vertices alone.
+  bool has_half_edges() const { return waiting_half_edges_ > 0; }
   /// Drops stale entries. Precondition: empty.
   void clear() { queue_.clear(); }
 
@@ -39,7 +41,7 @@ class SurfaceQueue {
     BucketQueue::Entry entry;
     do entry = queue_.pop(), fetch_ahead(fetch_vertex, fetch_first);
     while (entry.key != slots_[entry.element].key);
-    --waiting_;
+    --waiting_, waiting_half_edges_ -= entry.element < half_edges_;
     Slot& slot = slots_[entry.element];
     slot.key = not_waiting;
     if (entry.element >= half_edges_) return {entry.element - half_edges_, no_index};
@@ -74,7 +76,7 @@ class SurfaceQueue {
 
   void wait(Index element, float key) {
     Slot& slot = slots_[element];
-    waiting_ += slot.key == not_waiting;
+    if (slot.key == not_waiting) ++waiting_, waiting_half_edges_ += element < half_edges_;
     if (!(key < slot.key)) return;
     slot.key = key;
     queue_.push(element, key);
@@ -108,7 +110,7 @@ class SurfaceQueue {
   std::vector<Slot> slots_;  ///< half-edges, then vertices
   Index half_edges_;
   BucketQueue queue_;
-  std::size_t waiting_ = 0;  ///< elements
+  std::size_t waiting_ = 0, waiting_half_edges_ = 0;  ///< elements, and those of them that are half-edges
 };
 
 }  // namespace geodrome

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "geodrome/run_context.hpp"
+#include "plugins/solver_chen_han/propagation.hpp"
+#include "plugins/solver_chen_han/rows/direct_list.hpp"
+#include "plugins/solver_chen_han/rows/direct_run.hpp"
+
+namespace geodrome::chen_han {
+
+/// What direct searches of one surface share. Immutable.
+struct DirectGround {
+  /// So many near vertices make bounds that are hardly too long, at next to no cost.
+  static constexpr std::size_t near_count = 20;
+
+  DirectGround(const PackedMesh& surface, const Settings& settings, RunContext& context)
+      : near(surface, settings, near_count, context), angles(surface) {}
+  std::size_t bytes() const { return near.bytes() + angles.bytes(); }
+
+  NearLists near;
+  CornerAngles angles;
+};
+
+/// Finds the direct paths from one vertex after the other. One per thread.
+class DirectSearch {
+ public:
+  /// Surface and ground are kept by reference.
+  DirectSearch(const PackedMesh& surface, const Settings& settings, const DirectGround& ground)
+      : surface_(surface),
+        angles_(ground.angles),
+        propagation_(surface, settings),
+        direct_(surface, ground.near, ground.angles) {}
+
+  /// Returns the direct paths from a vertex, up to a length, that may be shortest: all that are, and some that are
+  /// longer. In any order, valid until the next run. Throws Cancelled.
+  std::span<const FoundPath> run(Index source, double limit, const RunContext& context);
+  /// The same as a list, which is not complete; none if there are too many for one.
+  std::optional<DirectList> list(Index source, double limit, const RunContext& context);
+
+  /// After a run.
+  const Propagation& propagation() const { return propagation_; }
+  const DirectRun& direct() const { return direct_; }
+  std::size_t bytes() const { return propagation_.bytes() + direct_.bytes() + paths_.capacity() * sizeof(FoundPath); }
+
+ private:
+  DirectionCode half_turn(Index vertex) const;
+  DirectionCode code(Index vertex, double direction) const;
+  DirectionCode arrival(Index vertex, const Label& label) const;
+
+  const PackedMesh& surface_;
+  const CornerAngles& angles_;
+  Propagation propagation_;
+  DirectRun direct_;
+  std::vector<FoundPath> paths_;
+  std::size_t any_ = 0;
+};
+
+}  // namespace geodrome::chen_han
