@@ -86,7 +86,7 @@ class RowPlanner {
  private:
   /// So much of all the work may go into the question whether lists pay.
   static constexpr double most_probing = 0.025;
-  /// Lists are made where they take no more of the work of plain searches: they take memory too.
+  /// Lists are made where they take no more of the work of plain searches: they take memory, and caches, too.
   static constexpr double worth_it = 0.85;
 
   bool forced() const { return settings_.rows == Rows::lists; }
@@ -94,7 +94,7 @@ class RowPlanner {
   /// The work of near lists, as SearchCounts::plain_work: from every vertex a search that passes a few half-edges for
   /// each.
   double near_work() const {
-    return 40 * 5.0 * DirectGround::near_count * static_cast<double>(surface_.vertex_count());
+    return 30 * 6.0 * DirectGround::near_count * static_cast<double>(surface_.vertex_count());
   }
 
   std::unique_ptr<PreparedSurface> with_ground(const SearchCounts& plain_counts, std::span<const Index> chosen) {

@@ -18,8 +18,8 @@ struct SearchCounts {
   double bends = 0;                ///< vertices reached at which paths can bend, in a plain search
 
   /// Returns about how long it took, in units of 10 ns on a processor of 2025: plain, or direct with its list.
-  double plain_work() const { return 40 * passes + windows; }
-  double direct_work() const { return 50 * passes + windows + 0.2 * bounds + 15 * paths; }
+  double plain_work() const { return 30 * passes + 0.25 * windows; }
+  double direct_work() const { return plain_work() + 0.3 * bounds + 12 * paths; }
 };
 
 /// The work of a plan by lists of direct paths against that of plain searches.
@@ -31,7 +31,7 @@ struct RowEstimate {
   /// Direct searches; and for each source its own direct paths, and a look at the list of each vertex at which paths
   /// can bend.
   double list_work() const {
-    const double row = 4 * direct.paths + 25 * plain.bends;
+    const double row = 4 * direct.paths + 20 * plain.bends;
     return direct.direct_work() * static_cast<double>(searches) + row * static_cast<double>(sources);
   }
   double share() const { return list_work() / plain_work(); }
