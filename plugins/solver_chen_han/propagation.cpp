@@ -128,7 +128,7 @@ void Propagation::carry_one_by_one(const Apex& apex, const Span& list, Index dep
     const Sides sides{has_left(apex, w, i), has_right(apex, w, i), w.to(i, apex.x, apex.y)};
     const double x = sides.both() ? w.x()[i] : sides.left ? w.high()[i] : w.low()[i];
     const double way = way_through(w.get(i), apex.x, apex.y, labels_.distance(apex.vertex()));
-    if (may_lower(apex, list, i, way)) lower_apex_by(apex, list, i, x, way);
+    if (may_lower(apex, list, i, way)) lower_apex_by(apex, list, i, sides.both() ? x : bend_at(w, i, x), way);
     if (sides.both() && (best == list.count || sides.way < sides_[best].way)) best = i;
     sides_.push_back(sides);
   }
@@ -161,7 +161,8 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
   const ImagePair images(w.get(left), w.get(right));
   const Register<2> way = images.at(x) + root(along * along + Register<2>(apex.y * apex.y));
   const auto bent = [&](std::size_t i, double place, double length) {
-    if (matters(length, w.sigma()[i]) && may_lower(apex, list, i, length)) lower_apex_by(apex, list, i, place, length);
+    if (matters(length, w.sigma()[i]) && may_lower(apex, list, i, length))
+      lower_apex_by(apex, list, i, bend_at(w, i, place), length);
   };
   if (before > 0) bent(left, x.v[0], way.v[0]);
   if (after < list.count) bent(right, x.v[1], way.v[1]);
@@ -176,6 +177,7 @@ void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t 
     if (direct_) note_exit(apex, w, i, x);
     return Step{.window = w.names()[i].parent};
   });
+  if (direct_) widen_if_bent_near(apex, x != w.x()[i], x, distance);
 }
 
 void Propagation::lower_watched(Index half_edge, const Span& list) {

@@ -108,6 +108,8 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void go_on_from(Index vertex);
   void note_exit_along_edge(Index vertex, Index from);
   void note_exit(const Apex& apex, const WindowArrays& windows, std::size_t i, double x);
+  double bend_at(const WindowArrays& windows, std::size_t i, double x) const;
+  void widen_if_bent_near(const Apex& apex, bool bent, double x, double distance);
   void next();
   void send_wedge(const Apex& apex, const PseudoSource& from, double to_end, Entry entry);
 

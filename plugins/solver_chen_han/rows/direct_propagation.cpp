@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a propagation does in a direct run alone.
+#include <cmath>
+
 #include "plugins/solver_chen_han/propagation.hpp"
 
 namespace geodrome::chen_han {
@@ -24,6 +26,19 @@ void Propagation::note_exit(const Apex& apex, const WindowArrays& w, std::size_t
   const bool straight = x == w.x()[i];
   const double dx = (straight ? apex.x : x) - w.x()[i], dy = (straight ? apex.y : 0) - w.y()[i];
   direct_->set_exit(apex.vertex(), DirectRun::direction(w.names()[i].parent, dx, dy));
+}
+
+/// Returns where a path by window i bends in a direct run: beside (x, 0) if the image is there, for the x of the image
+/// itself stands for a path that is straight.
+double Propagation::bend_at(const WindowArrays& w, std::size_t i, double x) const {
+  return direct_ && x == w.x()[i] ? std::nextafter(x, infinity) : x;
+}
+
+/// Lets paths go on to all sides from an apex whose path bends at (x, 0) in nearly the same place: from where it comes
+/// depends on rounding. An emission sends windows into whole faces, which hides that; lists go by the direction alone.
+void Propagation::widen_if_bent_near(const Apex& apex, bool bent, double x, double distance) {
+  const bool near = std::hypot(x - apex.x, apex.y) <= close_share * apex.length;
+  if (bent && near && labels_.distance(apex.vertex()) == distance) labels_.widen(apex.vertex());
 }
 
 void Propagation::note_exit_along_edge(Index vertex, Index from) {

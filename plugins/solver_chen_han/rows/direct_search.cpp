@@ -9,7 +9,8 @@
 namespace geodrome::chen_han {
 namespace {
 
-/// A direct path is kept unless another path is shorter by this share: more than the rounding of both.
+/// A direct path is kept unless another path is shorter by this share of its length and of the longest edge: more than
+/// the rounding of both, which for a path shorter than the edges around it depends on these.
 constexpr double longer_share = 4 * rounding_share;
 /// The error of two directions together (rad), as in emission.cpp.
 constexpr double direction_error = 1e-3;
@@ -24,7 +25,8 @@ std::span<const FoundPath> DirectSearch::run(Index source, double limit, const R
   const bool directed = angles_.has_directions(source);
   for (const Index v : propagation_.reached()) {
     const Label& label = propagation_.label(v);
-    if (v == source || label.distance > limit || label.distance > direct_.bound(v) * (1 + longer_share)) continue;
+    const double longest = direct_.bound(v) + longer_share * (direct_.bound(v) + longest_edge_);
+    if (v == source || label.distance > limit || label.distance > longest) continue;
     const Bearing exit = direct_.exit(v);
     FoundPath path{label.distance, v, 0, arrival(v, label)};
     if (directed && is_known(exit)) path.exit = code(source, radians(exit));

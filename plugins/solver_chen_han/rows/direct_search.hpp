@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -19,11 +20,19 @@ struct DirectGround {
   static constexpr std::size_t near_count = 20;
 
   DirectGround(const PackedMesh& surface, const Settings& settings, RunContext& context)
-      : near(surface, settings, near_count, context), angles(surface) {}
+      : near(surface, settings, near_count, context), angles(surface), longest_edge(longest_edge_of(surface)) {}
   std::size_t bytes() const { return near.bytes() + angles.bytes(); }
 
   NearLists near;
   CornerAngles angles;
+  double longest_edge;  ///< in units of the packed mesh
+
+ private:
+  static double longest_edge_of(const PackedMesh& surface) {
+    double longest = 0;
+    for (Index h = 0; h < 3 * surface.face_count(); ++h) longest = std::max(longest, surface.length(h));
+    return longest;
+  }
 };
 
 /// Finds the direct paths from one vertex after the other. One per thread.
@@ -33,6 +42,7 @@ class DirectSearch {
   DirectSearch(const PackedMesh& surface, const Settings& settings, const DirectGround& ground)
       : surface_(surface),
         angles_(ground.angles),
+        longest_edge_(ground.longest_edge),
         propagation_(surface, settings),
         direct_(surface, ground.near, ground.angles) {}
 
@@ -54,6 +64,7 @@ class DirectSearch {
 
   const PackedMesh& surface_;
   const CornerAngles& angles_;
+  double longest_edge_;
   Propagation propagation_;
   DirectRun direct_;
   std::vector<FoundPath> paths_;

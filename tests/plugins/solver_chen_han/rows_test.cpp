@@ -49,6 +49,32 @@ TEST(Rows, AreThoseOfPlainSearchesOnFuzzedMeshes) {
   EXPECT_GT(judged, 25U);
 }
 
+/// A mesh in which a third of the vertices are moved next to a neighbour: what comes from such a place leaves it, and
+/// arrives there, in directions that are all rounding.
+MeshPtr with_pairs(const MeshPtr& mesh, double apart, std::uint64_t seed) {
+  shapes::Random random(seed);
+  std::vector<Vec3> positions(mesh->positions().begin(), mesh->positions().end());
+  std::vector<bool> stays(positions.size());
+  for (const Triangle& t : mesh->triangles()) {
+    if (random.index(3) != 0 || stays[t[0]] || stays[t[1]]) continue;
+    stays[t[0]] = stays[t[1]] = true;
+    positions[t[0]] = positions[t[1]] + apart * Vec3{random.uniform() - 0.5, random.uniform() - 0.5, random.uniform()};
+  }
+  return share(SurfaceMesh(positions, {mesh->triangles().begin(), mesh->triangles().end()}));
+}
+
+/// Plain searches may be too long by a part of the shortest edges.
+TEST(Rows, AreThoseOfPlainSearchesWhereVerticesAreNextToEachOther) {
+  for (const double apart : {0.0, 1e-16, 1e-12, 1e-9, 1e-8, 3e-8, 1e-7})
+    for (std::uint64_t seed = 1; seed <= 12; ++seed)
+      for (const MeshPtr& mesh :
+           {shapes::small::terrain(6, 1, seed), share(shapes::lattice_box(3, 3, 3)), grid_with_hole(false)}) {
+        Planned planned(with_pairs(mesh, apart, seed));
+        if (!planned) continue;  // no path bends
+        EXPECT_LE(planned.worst(), row_rounding + apart) << apart << ", seed " << seed;
+      }
+}
+
 /// Faces at random among a few points: edges have many faces, and faces have copies.
 TEST(Rows, AreThoseOfPlainSearchesWhereManyFacesMeet) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
