@@ -29,7 +29,7 @@ struct Trimmed {
 
 /// The loops over windows that cost the time, for one width of SIMD registers. Every level does the same IEEE
 /// operations on every window, so all give the same bytes. Up to 2 x `most_lanes` windows beyond the last are read,
-/// whatever they hold; in what is written, up to `padding` have any value afterwards.
+/// whatever they hold; in what is written, up to `most_lanes` - 1 have any value afterwards.
 struct Lanes {
   /// The first `count` windows of `in` as seen from the new edge.
   void (*carry)(const WindowArrays& in, std::size_t count, const Turn& turn, const Clip& clip, const WindowArrays& out);

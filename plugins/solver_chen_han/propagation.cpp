@@ -226,15 +226,15 @@ void Propagation::hand_on(Block& block, const PackedMesh::Face& face, Index edge
   }
   if (all_beyond(limit_, block.near, block.span())) return store_.release(block);
   const PackedMesh::Across across = PackedMesh::only_across(face, static_cast<int>(edge % 3));
-  if (at_once || across.half_edge == no_index || across.mirrored) return hand_on_elsewhere(block, edge);
+  if (at_once || across.half_edge == no_index || across.mirrored) return hand_on_elsewhere(block, edge, at_once);
   counts_.created += block.count;
   wavefront_.push_block(block, across.half_edge, length);
 }
 
 /// Lets a block wait at half-edges that are not one that runs against the edge, or pass it at once.
-void Propagation::hand_on_elsewhere(Block& block, Index edge) {
+void Propagation::hand_on_elsewhere(Block& block, Index edge, bool at_once) {
   if (surface_.branches(edge)) return hand_on_claimed(block, edge);
-  if (block.count == 1 && is_close(block.windows(), surface_.length(edge))) return pass_at_once(block, edge);
+  if (at_once) return pass_at_once(block, edge);
   counts_.created += wavefront_.push_copies(block, edge);
 }
 

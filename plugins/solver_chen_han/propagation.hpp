@@ -124,7 +124,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void carry(const Apex& apex, const Child& left, const Child& right, Index depth);
   Block& carried(const Child& child, const Turn& turn, Entry entry, Index depth);
   void hand_on(Block& block, const PackedMesh::Face& face, Index edge);
-  void hand_on_elsewhere(Block& block, Index edge);
+  void hand_on_elsewhere(Block& block, Index edge, bool at_once);
   void hand_on_claimed(Block& block, Index edge);
   Block& claimed(const Span& windows, const Block& block, Index edge);
   void pass_at_once(Block& block, Index edge);

@@ -29,8 +29,6 @@ struct Window {
 
 /// Registers hold at most this many doubles.
 inline constexpr std::size_t most_lanes = 8;
-/// Loops over windows may write up to so many windows beyond the last one.
-inline constexpr std::size_t padding = most_lanes - 1;
 
 /// Windows as arrays, one for each member, so that SIMD lanes read them as they are: array k begins k `stride`s behind
 /// the first. Does not own its memory.

@@ -6,23 +6,21 @@
 
 #include <atomic>
 #include <cmath>
-#include <cstring>
 #include <thread>
 
 #include <nlohmann/json.hpp>
 
 #include "tests/support/meshes.hpp"
 #include "tests/support/npy.hpp"
+#include "tests/support/same_bytes.hpp"
 #include "tests/support/samples.hpp"
 
 namespace geodrome::testing {
 namespace {
 
-const std::string pair_plugins = std::string(GEODROME_BINARY_DIR) + "/tests/sound_plugins";
+using geodrome::test::same_bytes;
 
-bool same_bytes(std::span<const double> a, std::span<const double> b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
-}
+const std::string pair_plugins = std::string(GEODROME_BINARY_DIR) + "/tests/sound_plugins";
 
 std::vector<Index> first_rows(Index count) {
   std::vector<Index> rows;

@@ -3,6 +3,8 @@
 #include <string_view>
 
 #include "tests/plugins/solvers/fixture.hpp"
+#include "tests/support/same_bytes.hpp"
+#include "tests/support/stops_after.hpp"
 #include "tools/shapes/hostile.hpp"
 
 /// What the exact solver promises beyond its distances: which windows it carries, how much memory it takes, that no run
@@ -44,20 +46,6 @@ class Chen {
   std::unique_ptr<Search> search_;
   const ShortestPathMap* map_ = nullptr;
 };
-
-/// Asked `polls` times, it says stop.
-class StopsAfter : public QuietContext {
- public:
-  explicit StopsAfter(int polls) : left_(polls) {}
-  bool cancelled() const noexcept override { return left_-- <= 0; }
-
- private:
-  mutable int left_;
-};
-
-bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
 
 /// Saddles everywhere; many windows.
 MeshPtr hills() { return share(shapes::terrain(20, 1, 3)); }

@@ -1,30 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <random>
 
 #include "tests/plugins/solver_chen_han/rows_fixture.hpp"
+#include "tests/support/same_bytes.hpp"
+#include "tests/support/stops_after.hpp"
 
 /// Rows by lists of direct paths are what plain searches tell, whatever the mesh, the plan and the request.
 namespace geodrome::test {
 namespace {
 
-bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
-}
-
 MeshPtr rough() { return shapes::small::bumpy_torus(24, 16, 0.15, 5); }
-
-/// Says stop when it was asked so often.
-class StopsAfter : public QuietContext {
- public:
-  explicit StopsAfter(int polls) : left_(polls) {}
-  bool cancelled() const noexcept override { return left_-- <= 0; }
-
- private:
-  mutable int left_;
-};
 
 TEST(Rows, AreThoseOfPlainSearches) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {

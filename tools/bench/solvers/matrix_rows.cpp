@@ -24,14 +24,7 @@ using Rows = std::vector<std::vector<double>>;
 /// Processor time that a piece of work takes of all threads of this process.
 template <class Work>
 double seconds_of_all_threads(Work&& work) {
-  const auto now = [] {
-    timespec time;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
-  const double start = now();
-  work();
-  return now() - start;
+  return processor_seconds_of(work, CLOCK_PROCESS_CPUTIME_ID);
 }
 
 class PlanContext final : public QuietContext {
