@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "plugins/common/exact/close_image.hpp"
 #include "plugins/common/exact/image_pair.hpp"
 #include "plugins/common/exact/least_distance.hpp"
 #include "plugins/common/mesh/prefetch.hpp"
@@ -12,11 +13,13 @@
 namespace geodrome::chen_han {
 namespace {
 
-/// Whether the image is close to the half-edge, between the ends of its window: all its lines cross at nearly one
-/// place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its lines are
-/// not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
+/// Tells whether the only window of a block is close (close_image.hpp).
 bool is_close(const WindowArrays& w, double length) {
-  return -w.y()[0] <= close_share * length && w.low()[0] < w.x()[0] && w.x()[0] < w.high()[0];
+  return geodrome::is_close(w.get(0), {w.low()[0], w.high()[0]}, length);
+}
+
+PseudoSource image_of(const WindowArrays& w, std::size_t i) {
+  return {w.x()[i], w.y()[i], w.sigma()[i], w.names()[i].origin};
 }
 
 /// About the least distance of ordered windows, by which they queue: exact where the distance changes by at most the
@@ -166,14 +169,30 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
   };
   if (before > 0) bent(left, x.v[0], way.v[0]);
   if (after < list.count) bent(right, x.v[1], way.v[1]);
+  if (std::min(x.v[0] - w.low()[left], w.high()[right] - x.v[1]) <= close) lower_apex_over(apex, list, before, after);
   lower_along_edges(apex);
+}
+
+/// Lowers the apex by paths that bend at the ends of windows on the other side of windows that are all rounding: of the
+/// first `before` windows, and from window `after` on.
+[[gnu::cold]] void Propagation::lower_apex_over(const Apex& apex, const Span& list, std::size_t before,
+                                                std::size_t after) {
+  const WindowArrays& w = list.windows;
+  const double close = close_share * apex.length;
+  const auto bent = [&](std::size_t i, double place) {
+    const double way = w.at(i, place) + std::hypot(place - apex.x, apex.y);
+    if (may_lower(apex, list, i, way)) lower_apex_by(apex, list, i, bend_at(w, i, place), way);
+  };
+  for (std::size_t i = before; i > 1 && w.high()[before - 1] - w.low()[i - 1] <= close; --i)
+    bent(i - 2, w.high()[i - 2]);
+  for (std::size_t i = after; i + 1 < list.count && w.high()[i] - w.low()[after] <= close; ++i)
+    bent(i + 1, w.low()[i + 1]);
 }
 
 /// By window i, coming from its image, or from (x, 0) if the way bends there.
 void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t i, double x, double distance) {
   const WindowArrays& w = list.windows;
-  const PseudoSource image{w.x()[i], w.y()[i], w.sigma()[i], w.names()[i].origin};
-  lower_apex_from(apex, image, x, distance, [&] {
+  lower_apex_from(apex, image_of(w, i), x, distance, [&] {
     if (direct_) note_exit(apex, w, i, x);
     return Step{.window = w.names()[i].parent};
   });
@@ -266,6 +285,7 @@ Block& Propagation::claimed(const Span& windows, const Block& block, Index edge)
 }
 
 void Propagation::pass_at_once(Block& block, Index edge) {
+  if (!direct_ && left_to_end(image_of(block.windows(), 0), edge)) return store_.release(block);
   surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
     Block& own = wavefront_.copy_of(block, mirrored, surface_.length(edge));
     ++counts_.created;

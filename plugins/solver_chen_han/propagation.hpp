@@ -118,6 +118,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void lower_watched(Index half_edge, const Span& list);
 
   void lower_apex(const Apex& apex, const Span& list, const Split& split);
+  void lower_apex_over(const Apex& apex, const Span& list, std::size_t before, std::size_t after);
   void lower_apex_by(const Apex& apex, const Span& list, std::size_t window, double x, double distance);
 
   void carry_one_by_one(const Apex& apex, const Span& list, Index depth);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/close_image.hpp"
 #include "plugins/common/exact/turn.hpp"
 #include "plugins/solver_merged_windows/propagation.hpp"
 
@@ -13,11 +14,6 @@ namespace {
 
 bool has_left(const Apex& apex, const Window& w) { return side_of_line(w.x, w.y, w.low, apex.x, apex.y) < 0; }
 bool has_right(const Apex& apex, const Window& w) { return side_of_line(w.x, w.y, w.high, apex.x, apex.y) > 0; }
-
-/// Whether the image is close to the half-edge, between the ends of its window: all its lines cross at nearly one
-/// place, which rounding does not tell apart any more. Such a window goes on at once and alone, so that its lines are
-/// not cut by places on that half-edge. (On faces without area the image lies on the half-edge.)
-bool is_close(const Window& w, double length) { return -w.y <= close_share * length && w.low < w.x && w.x < w.high; }
 
 }  // namespace
 
@@ -223,7 +219,8 @@ void Propagation::send_right(const Apex& apex, const Window& window, bool clippe
 void Propagation::hand_on_alone(Index child, const Apex& apex, int i) {
   const PackedMesh::Across across = PackedMesh::only_across(apex.face, i);
   const Window& window = wavefront_.pool()[child];
-  if (across.half_edge != no_index && !window.empty() && !is_close(window, apex.face.length[i])) {
+  if (across.half_edge != no_index && !window.empty() &&
+      !is_close(window, {window.low, window.high}, apex.face.length[i])) {
     counts_.created += wavefront_.push_alone(child, across, apex.face.length[i], limit_);
     return;
   }
@@ -240,7 +237,7 @@ void Propagation::hand_on(std::span<const Window> run, Index edge) {
     list_parts(run);
     run = parts_;
   }
-  if (run.size() != 1 || !is_close(run[0], surface_.length(edge))) {
+  if (run.size() != 1 || !is_close(run[0], {run[0].low, run[0].high}, surface_.length(edge))) {
     counts_.created += wavefront_.push_run(run, edge, limit_);
     return;
   }

@@ -5,20 +5,13 @@
 #include <utility>
 
 #include "plugins/common/exact/bisector.hpp"
+#include "plugins/common/exact/close_image.hpp"
 #include "plugins/common/exact/least_distance.hpp"
 #include "plugins/solver_schreiber/claimant.hpp"
 #include "plugins/solver_schreiber/claims.hpp"
 
 namespace geodrome::schreiber {
 namespace {
-
-/// Tells whether an image is close to a half-edge: all its rays cross at nearly one place, which rounding no longer
-/// tells apart. Such a generator goes on at once and alone, so that its rays are not bounded by places on that
-/// half-edge. (On faces without area the image lies on the half-edge.)
-bool is_close(const Generator& g, double length) {
-  const double close = close_share * length;
-  return -g.y <= close && 0 < g.x && g.x < length;
-}
 
 /// Returns the least distance of what the generators of a front claim of a half-edge. O(n).
 double least_distance_of(const Front& front, double length) {
@@ -273,7 +266,11 @@ void Propagation::hand_on(Front front, Ends ends, Index edge, Entry entry, const
   }
   const double near = std::max(0.0, 0.5 * (ends.at_low + ends.at_high - std::max(0.0, ends.high - ends.low)));
   if (near * (1 - rounding_share) > limit_ && least_distance_of(front, length) * (1 - rounding_share) > limit_) return;
-  const bool at_once = front.size() == 1 && is_close(front[0], length);
+  const bool at_once = front.size() == 1 && is_close(front[0], {0, length}, length);
+  if (at_once) {
+    const Generator g = front[0];
+    if (left_to_end({g.x, g.y, g.sigma, g.origin}, edge)) return;
+  }
   surface_.for_each_across(edge, [&](Index half_edge, bool same_way) {
     Front own = same_way ? editor_.mirrored(front, length) : front;
     const Ends own_ends = same_way ? ends.mirrored(length) : ends;

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "plugins/common/exact/close_image.hpp"
 #include "plugins/common/exact/lower_envelope.hpp"
-#include "plugins/common/exact/tolerances.hpp"
 
 namespace geodrome {
 namespace {
@@ -43,12 +43,6 @@ void mirror_back(EdgePieces& parts, const EdgePieces& mirrored, const EdgePieces
   std::reverse(parts.begin(), parts.end());
 }
 
-/// Tells whether the image is close to the edge, within its piece: its rays cross at nearly one place, so that rounding
-/// of places would take rays away that are needed.
-bool is_close(const EdgePiece& piece, double length) {
-  return -piece.y <= close_share * length && piece.low < piece.x && piece.x < piece.high;
-}
-
 }  // namespace
 void FanEnvelope::reset() {
   for (const Index fan : touched_) nearest_[fan].clear();
@@ -70,7 +64,7 @@ void FanEnvelope::claim(Index edge, EdgePieces& pieces) {
   };
   lower_envelope(EdgeRow{nearest}, EdgeRow{given_}, take, {.share = equal_share});
   nearest.swap(all_);
-  if (given_.size() == 1 && !parts_.empty() && is_close(given_[0], length)) return;
+  if (given_.size() == 1 && !parts_.empty() && is_close(given_[0], {given_[0].low, given_[0].high}, length)) return;
   if (turned) mirror_back(parts_, given_, pieces, length);
   pieces.swap(parts_);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "plugins/common/exact/image_pair.hpp"
+#include "plugins/common/exact/tolerances.hpp"
 
 namespace geodrome {
 
@@ -40,8 +41,8 @@ enum class PairOrder {
 /// ray of the right image at or before `right_high` <= `left_low`: the rays have changed sides in the face below. The
 /// lemma, with the point where the two nearest rays cross for x, drops the image that is farther there. Images that tie
 /// there decide nothing unless the rays cross at an angle by which the way over the crossing is longer than a straight
-/// one. An image is dropped only where the other one is nearer at the end of its own ray, if rounding has moved the
-/// crossing off the rays. O(1).
+/// one; if they cross in the place of an image, which is a vertex, there may be no straight one. An image is dropped
+/// only where the other one is nearer at the end of its own ray, if rounding has moved the crossing off the rays. O(1).
 template <class Image>
 PairOrder settle_reversed_pair(const Image& left, double left_low, const Image& right, double right_high) {
   const double ux = left_low - left.x, uy = -left.y, vx = right_high - right.x, vy = -right.y;
@@ -52,7 +53,8 @@ PairOrder settle_reversed_pair(const Image& left, double left_low, const Image& 
     const double of_left = left.to(qx, qy), of_right = right.to(qx, qy);
     if (nearer(of_left, of_right)) return PairOrder::drop_right;
     if (nearer(of_right, of_left)) return PairOrder::drop_left;
-    if (nearer(left.at(right_high), right.at(right_high))) return PairOrder::drop_right;
+    if (std::min(along_left, along_right) > close_share && nearer(left.at(right_high), right.at(right_high)))
+      return PairOrder::drop_right;
   } else {
     if (nearer(left.at(left_low), right.at(left_low))) return PairOrder::drop_right;
     if (nearer(right.at(right_high), left.at(right_high))) return PairOrder::drop_left;

@@ -13,6 +13,9 @@ inline constexpr double rounding_share = 1e-13;
 /// length.
 inline constexpr double close_share = 1e-8;
 
+/// Two places are the same, up to rounding, if they are nearer to each other than this share of an edge at them.
+inline constexpr double same_place_share = 1e-16;
+
 /// A half-edge leaves the queue at the least distance of what waits there plus this share of its length: late enough
 /// that all sides have arrived, early enough that what depends on it need not be done again. 0.1 and 0.4 do as well.
 inline constexpr double patience = 0.25;

@@ -125,6 +125,11 @@ class VertexPropagation {
   /// source is not on.
   void seed_face(const SurfacePoint& at, const Source& source, Index number);
 
+  /// Tells whether rays from an image below a half-edge that runs against `edge` are left to an end of the edge: it is
+  /// in the place of the image, up to rounding. That vertex then emits to all sides instead of the image, whose rays
+  /// would go round it without end.
+  bool left_to_end(const PseudoSource& image, Index edge);
+
   /// Counts how often a vertex became a pseudo-source in this run.
   std::uint64_t emissions() const { return emissions_; }
   std::size_t bytes() const { return labels_.bytes() + watched_.capacity() * sizeof(Watched); }
@@ -213,6 +218,17 @@ void VertexPropagation<Solver, Step>::widen(Index vertex, double distance, doubl
   if (labels_[vertex].all_sides() || distance > present + close_share * length) return;
   labels_.widen(vertex);
   solver().waiting().push_vertex(vertex, present);
+}
+
+template <class Solver, class Step>
+bool VertexPropagation<Solver, Step>::left_to_end(const PseudoSource& image, Index edge) {
+  const double length = surface_.length(edge), same_place = same_place_share * length;
+  const bool at_end = std::abs(image.x) <= same_place, at_start = std::abs(image.x - length) <= same_place;
+  if (-image.y > same_place || !(at_end || at_start)) return false;
+  const Index vertex = surface_.from(at_end ? SurfaceMesh::next(edge) : edge);
+  if (labels_.distance(vertex) > image.sigma * (1 + rounding_share) + 4 * same_place) return false;
+  widen(vertex, image.sigma, length);
+  return true;
 }
 
 template <class Solver, class Step>
