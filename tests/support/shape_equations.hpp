@@ -46,6 +46,15 @@ inline double genus5_value(const Vec3& p) {
   return sum;
 }
 
+inline double bumpy_radius(const Vec3& d) {
+  return 1 + 0.25 * std::sin(3 * d.x + 1) * std::cos(2 * d.y) + 0.15 * std::sin(4 * d.x * d.z + 0.5);
+}
+
+inline double star_radius(const Vec3& d) {
+  const double three = std::pow(std::hypot(d.x, d.y), 3) * std::cos(3 * std::atan2(d.y, d.x));
+  return 1 + 0.15 * three + 0.6 * d.x * d.y * d.z + 0.2 * (d.z * d.z - 1.0 / 3);
+}
+
 /// The spiral r = t, by the nearest of its turns; positive towards its centre.
 inline double spiral_value(const Vec3& p) {
   const double r = std::hypot(p.x, p.z), angle = std::atan2(p.z, p.x);
@@ -63,6 +72,8 @@ inline double shape_value(const std::string& kind, const Vec3& p) {
   if (kind == "ellipsoid") return norm({p.x, p.y / 0.8, p.z / 0.6}) - 1;
   if (kind == "torus" || kind == "cut-torus") return std::hypot(std::hypot(p.x, p.y) - 1, p.z) - 0.4;
   if (kind == "trefoil") return distance_to_trefoil(p) - 0.1;
+  if (kind == "bumpy") return norm(p) - bumpy_radius(p / norm(p));
+  if (kind == "star") return norm(p) - star_radius(p / norm(p));
   if (kind == "genus2") return genus2_value(p);
   if (kind == "genus5") return genus5_value(p);
   if (kind == "swiss-roll") return spiral_value(p);

@@ -11,7 +11,10 @@ namespace {
 
 LevelValue double_torus(const Vec3& p) {
   const double xx = p.x * p.x, g = xx - xx * xx - p.y * p.y;
-  return {g * g + p.z * p.z - 0.03, {2 * g * (2 * p.x - 4 * p.x * xx), -4 * g * p.y, 2 * p.z}};
+  const Vec3 slope{2 * p.x - 4 * p.x * xx, -2 * p.y, 0};
+  return {g * g + p.z * p.z - 0.03,
+          {2 * g * slope.x, -4 * g * p.y, 2 * p.z},
+          2 * square(slope) + 2 * g * Symmetric3{2 - 12 * xx, -2} + Symmetric3{0, 0, 2}};
 }
 
 LevelValue five_holes(const Vec3& p) {
@@ -19,12 +22,13 @@ LevelValue five_holes(const Vec3& p) {
   // cos and sin of 2 pi k / 5
   constexpr double x[] = {1, 0.30901699437494742, -0.80901699437494742, -0.80901699437494742, 0.30901699437494742};
   constexpr double y[] = {0, 0.95105651629515357, 0.58778525229247313, -0.58778525229247313, -0.95105651629515357};
-  LevelValue f{p.x * p.x + p.y * p.y + 4 * p.z * p.z - 1, {2 * p.x, 2 * p.y, 8 * p.z}};
+  LevelValue f{p.x * p.x + p.y * p.y + 4 * p.z * p.z - 1, {2 * p.x, 2 * p.y, 8 * p.z}, {2, 2, 8}};
   for (int k = 0; k < 5; ++k) {
     const double dx = p.x - circle * x[k], dy = p.y - circle * y[k];
     const double hill = height * std::exp(-sharpness * (dx * dx + dy * dy));
     f.value += hill;
     f.gradient = f.gradient - 2 * sharpness * hill * Vec3{dx, dy, 0};
+    f.hessian = f.hessian + 2 * sharpness * hill * (2 * sharpness * square({dx, dy, 0}) + Symmetric3{-1, -1});
   }
   return f;
 }

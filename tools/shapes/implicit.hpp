@@ -3,14 +3,9 @@
 
 #include <string_view>
 
-#include "geodrome/geometry.hpp"
+#include "tools/shapes/level_value.hpp"
 
 namespace geodrome::shapes {
-
-struct LevelValue {
-  double value;   ///< negative inside
-  Vec3 gradient;  ///< points outwards on the surface
-};
 
 /// A surface f = 0 without parametrisation, regular (no zero of the gradient on it), inside a box around the origin.
 ///

@@ -105,10 +105,8 @@ SurfaceMesh noisy_sphere(std::size_t faces, Random& random) {
   return with_radius(sphere, [&](const Vec3&) { return 1 + reach * random.uniform(-1, 1); });
 }
 
-SurfaceMesh bumpy(std::size_t faces) {
-  return with_radius(icosphere(faces), [](const Vec3& p) {
-    return 1 + 0.25 * std::sin(3 * p.x + 1) * std::cos(2 * p.y) + 0.15 * std::sin(4 * p.x * p.z + 0.5);
-  });
+SurfaceMesh radial_mesh(const Radial& body, std::size_t faces) {
+  return with_radius(icosphere(faces), [&](const Vec3& p) { return body.radius(p).value; });
 }
 
 double area(const SurfaceMesh& mesh) {

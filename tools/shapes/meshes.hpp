@@ -3,6 +3,7 @@
 
 #include "geodrome/surface.hpp"
 #include "tools/shapes/patch.hpp"
+#include "tools/shapes/radial.hpp"
 #include "tools/shapes/random.hpp"
 
 namespace geodrome::shapes {
@@ -18,8 +19,8 @@ SurfaceMesh icosphere(std::size_t faces);
 /// The icosphere, vertex p at radius 1 + 0.5 h u, h the mean length of the icosphere's edges, u uniform in [-1, 1).
 SurfaceMesh noisy_sphere(std::size_t faces, Random& random);
 
-/// The icosphere, vertex (x, y, z) at radius 1 + 0.25 sin(3x + 1) cos(2y) + 0.15 sin(4xz + 0.5).
-SurfaceMesh bumpy(std::size_t faces);
+/// The icosphere, its vertices moved along their directions.
+SurfaceMesh radial_mesh(const Radial& body, std::size_t faces);
 
 /// Sum of the areas of the faces.
 double area(const SurfaceMesh& mesh);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "tools/shapes/radial.hpp"
 #include "tools/shapes/sheets.hpp"
 
 namespace geodrome::shapes {
@@ -20,6 +21,15 @@ PatchPoint on_ellipsoid(const Vec3& semi_axes, double south, double north, doubl
   const double x = cos(latitude) * cos(longitude), y = cos(latitude) * sin(longitude), z = sin(latitude);
   const double scale = 2 * pi * (north - south) * cos(latitude);
   return {{a * x, b * y, c * z}, scale * Vec3{b * c * x, a * c * y, a * b * z}};
+}
+
+/// By longitude and latitude of the direction d; with g the radius's gradient along the sphere, du x dv of R(d) d is
+/// that of d times R (R d - g).
+PatchPoint on_radial(std::string_view kind, double u, double v) {
+  const auto [d, area] = on_ellipsoid({1, 1, 1}, -pi / 2, pi / 2, u, v);
+  const LevelValue radius = find_radial(kind)->radius(d);
+  const Vec3 along = radius.gradient - dot(radius.gradient, d) * d;
+  return {radius.value * d, norm(area) * radius.value * (radius.value * d - along)};
 }
 
 constexpr double ring = 1, tube = 0.4;
@@ -64,6 +74,12 @@ constexpr Patch patches[] = {
      4 * pi* pi* tube*(ring + tube), 2.5},
     // Speed squared is (17 + 8 cos 3t) / 9 + cos^2 3t <= 34 / 9; the length is 9.61.
     {"trefoil", on_trefoil, true, End::wrap, End::wrap, 4 * pi* pi* rope * 1.944 * (1 + rope * 2.34), 15.3},
+    // |R| <= 1.4 and |g| <= 1.5 by the sizes of the terms.
+    {"bumpy", [](double u, double v) { return on_radial("bumpy", u, v); }, true, End::pole, End::pole,
+     2 * pi* pi * 2.88, 2},
+    // |R| <= 1.4 and |g| <= 1.
+    {"star", [](double u, double v) { return on_radial("star", u, v); }, true, End::pole, End::pole, 2 * pi* pi * 2.41,
+     2},
     {"plane",
      [](double u, double v) {
        return PatchPoint{{u, v, 0}, {0, 0, 1}};

@@ -28,6 +28,7 @@ enum class End { wrap, pole, border };
 /// cut-torus    the torus where z <= 1/5: two borders, circles
 /// swiss-roll   (t cos t, 21 v, t sin t) with t = 1.5 pi (1 + 2 u): one turn and a half, 2 pi apart, 89.373 long
 /// s-curve      (sin t, 2 v, sign(t) (cos t - 1)) with t = 3 pi (u - 1/2): 3 pi long
+/// bumpy, star  see radial.hpp
 /// slit-pipe    radius 1, 4 long, axis z, open at its ends, without a strip 0.75 wide along x > 0, y = 0
 struct Patch {
   std::string_view kind;

@@ -11,6 +11,7 @@
 #include "tools/shapes/implicit_sampler.hpp"
 #include "tools/shapes/meshes.hpp"
 #include "tools/shapes/patch.hpp"
+#include "tools/shapes/radial.hpp"
 #include "tools/shapes/random.hpp"
 #include "tools/shapes/surface_net.hpp"
 
@@ -124,8 +125,8 @@ void check(const std::string& kind, const SampleSpec& spec) {
 }  // namespace
 
 const std::vector<std::string>& sample_kinds() {
-  static const std::vector<std::string> kinds{"sphere",    "ellipsoid",  "torus",   "genus2",
-                                              "genus5",    "trefoil",    "plane",   "cut-sphere",
+  static const std::vector<std::string> kinds{"sphere",    "ellipsoid",  "torus",   "genus2",   "genus5",
+                                              "trefoil",   "bumpy",      "star",    "plane",    "cut-sphere",
                                               "cut-torus", "swiss-roll", "s-curve", "slit-pipe"};
   return kinds;
 }
@@ -133,7 +134,7 @@ const std::vector<std::string>& sample_kinds() {
 const std::vector<std::string>& mesh_kinds() {
   static const std::vector<std::string> kinds = [] {
     std::vector<std::string> all = sample_kinds();
-    all.insert(all.end(), {"icosphere", "jittered-torus", "noisy-sphere", "bumpy"});
+    all.insert(all.end(), {"icosphere", "jittered-torus", "noisy-sphere"});
     return all;
   }();
   return kinds;
@@ -156,7 +157,7 @@ SurfaceMesh mesh(const std::string& kind, std::size_t faces, std::uint64_t seed)
   Random random(seed);
   if (kind == "icosphere") return icosphere(faces);
   if (kind == "noisy-sphere") return noisy_sphere(faces, random);
-  if (kind == "bumpy") return bumpy(faces);
+  if (const Radial* body = find_radial(kind)) return radial_mesh(*body, faces);
   if (kind == "jittered-torus") return patch_mesh(*find_patch("torus"), faces, &random);
   if (const Patch* patch = find_patch(kind)) return patch_mesh(*patch, faces);
   if (const Implicit* surface = find_implicit(kind)) return surface_net(*surface, faces);

@@ -27,15 +27,15 @@ const std::vector<std::string>& sample_kinds();
 const std::vector<std::string>& mesh_kinds();
 
 /// Points on sphere (radius 1), ellipsoid (1, 0.8, 0.6), torus (R = 1, r = 0.4, about the z axis), genus2, genus5,
-/// trefoil (a tube), plane (unit square), cut-sphere, cut-torus (the part below a plane), swiss-roll, s-curve,
-/// slit-pipe (sheets: see sheets.hpp); patch.hpp and implicit.hpp give the constants. Uniform and blue give exactly
-/// `spec.points` points, independent and exactly uniform by area, or spread by sample elimination from five times as
-/// many. The lattice of genus2 and genus5 has at least 588 and 1504 points. Noise is along the true normal; the box is
-/// that of the points without noise. Throws OptionError for an unknown kind, fewer than 4 points, noise that is not a
-/// finite number >= 0, or jitter of a lattice of genus2 or genus5.
+/// trefoil (a tube), bumpy and star (star-like bodies), plane (unit square), cut-sphere, cut-torus (the part below a
+/// plane), swiss-roll, s-curve, slit-pipe (sheets: see sheets.hpp); patch.hpp, radial.hpp and implicit.hpp give the
+/// constants. Uniform and blue give exactly `spec.points` points, independent and exactly uniform by area, or spread by
+/// sample elimination from five times as many. The lattice of genus2 and genus5 has at least 588 and 1504 points. Noise
+/// is along the true normal; the box is that of the points without noise. Throws OptionError for an unknown kind, fewer
+/// than 4 points, noise that is not a finite number >= 0, or jitter of a lattice of genus2 or genus5.
 PointSample sample(const std::string& kind, const SampleSpec& spec);
 
-/// A mesh with about `faces` faces of a kind of `sample`, or icosphere, jittered-torus, noisy-sphere, bumpy; manifold,
+/// A mesh with about `faces` faces of a kind of `sample`, or icosphere, jittered-torus, noisy-sphere; manifold,
 /// oriented outwards, closed unless the kind is cut or a plane. Spheres from the icosahedron have the nearest of
 /// 20 x 4^k faces; genus2 and genus5 never fewer than 1180 and 3024, for holes to show. The vertices lie on the
 /// surface. `seed` matters to jittered-torus and noisy-sphere. Throws OptionError for an unknown kind.

@@ -41,9 +41,9 @@ std::string with_option(const std::string& selection, const std::string& option)
 
 Topology expected_topology(const std::string& shape) {
   static const std::map<std::string, Topology> known{
-      {"sphere", {0, 0}}, {"ellipsoid", {0, 0}},  {"torus", {1, 0}},      {"genus2", {2, 0}},
-      {"genus5", {5, 0}}, {"trefoil", {1, 0}},    {"cut-sphere", {0, 1}}, {"cut-torus", {0, 2}},
-      {"plane", {0, 1}},  {"swiss-roll", {0, 1}}, {"s-curve", {0, 1}},    {"slit-pipe", {0, 1}}};
+      {"sphere", {0, 0}},  {"ellipsoid", {0, 0}},  {"torus", {1, 0}},   {"genus2", {2, 0}},     {"genus5", {5, 0}},
+      {"trefoil", {1, 0}}, {"bumpy", {0, 0}},      {"star", {0, 0}},    {"cut-sphere", {0, 1}}, {"cut-torus", {0, 2}},
+      {"plane", {0, 1}},   {"swiss-roll", {0, 1}}, {"s-curve", {0, 1}}, {"slit-pipe", {0, 1}}};
   const auto found = known.find(shape);
   if (found != known.end()) return found->second;
   std::string valid;
