@@ -9,11 +9,12 @@
 #include <queue>
 #include <vector>
 
-#include "tools/bench/shapes/torus_truth.hpp"
+#include "geodrome/geometry.hpp"
 
 namespace geodrome::test {
 
-/// Paths along straight pieces in the angles of the torus, between the nodes of a lattice: upper bounds of distances.
+/// Paths on the torus of `shapes::sample` along straight pieces in its angles, between the nodes of a lattice: upper
+/// bounds of distances.
 class TorusGraph {
  public:
   TorusGraph(long columns, long rows, long reach) : columns_(columns), rows_(rows) {
@@ -23,9 +24,11 @@ class TorusGraph {
   }
 
   std::size_t size() const { return static_cast<std::size_t>(columns_ * rows_); }
-  bench::TorusPoint point(std::size_t node) const {
-    const long i = static_cast<long>(node);
-    return {angle(i / rows_, columns_), angle(i % rows_, rows_)};
+  Vec3 point(std::size_t node) const {
+    const double u = angle(static_cast<long>(node) / rows_, columns_),
+                 v = angle(static_cast<long>(node) % rows_, rows_);
+    const double w = ring + tube * std::cos(v);
+    return {w * std::cos(u), w * std::sin(u), tube * std::sin(v)};
   }
 
   /// Dijkstra's algorithm.
@@ -50,6 +53,8 @@ class TorusGraph {
   }
 
  private:
+  static constexpr double ring = 1, tube = 0.4;
+
   struct Offset {
     long i, j;
     std::vector<double> length_from_row;
@@ -71,7 +76,7 @@ class TorusGraph {
         const double begin = angle(row, rows_) + k * dv, end = begin + dv;
         const bool passes_outside = std::sin(begin) * std::sin(end) <= 0 && std::cos(begin) > 0;
         const double cosine = passes_outside ? 1 : std::max(std::cos(begin), std::cos(end));
-        sum += std::hypot((bench::torus_ring + bench::torus_tube * cosine) * du, bench::torus_tube * dv);
+        sum += std::hypot((ring + tube * cosine) * du, tube * dv);
       }
       result.push_back(sum);
     }

@@ -11,9 +11,9 @@
 #include "tools/bench/samples/distance_errors.hpp"
 #include "tools/bench/samples/disturb.hpp"
 #include "tools/bench/samples/hausdorff.hpp"
+#include "tools/bench/samples/manifold_task.hpp"
 #include "tools/bench/samples/sample_case.hpp"
 #include "tools/bench/samples/topology_table.hpp"
-#include "tools/bench/shapes/torus_runs.hpp"
 #include "tools/bench/solvers/fit.hpp"
 #include "tools/shapes/random.hpp"
 
@@ -123,11 +123,11 @@ TEST(DistanceErrors, TellOverFromUnderAndFarFromNear) {
 }
 
 /// 100,000 probes find the largest hole of a lattice of N columns and M rows: half the diagonal of its outermost cells.
-TEST(TorusEpsilon, OfALatticeIsItsLargestHole) {
+TEST(ManifoldEpsilon, OfALatticeIsItsLargestHole) {
   const PointSample lattice = make_sample({"torus", "grid", 1000, 1});  // 50 columns, 20 rows
   ASSERT_EQ(lattice.size(), 1000u);
   const double column = 1.4 * 2 * 3.14159265 / 50, row = 0.4 * 2 * 3.14159265 / 20;
-  EXPECT_NEAR(torus_epsilon(lattice, 1), 0.5 * std::hypot(column, row) / 0.4, 0.01);
+  EXPECT_NEAR(manifold_epsilon("torus", lattice, 1), 0.5 * std::hypot(column, row) / 0.4, 0.01);
 }
 
 TEST(MemoryPeak, GrowsByWhatIsTouchedAndCanBeReset) {

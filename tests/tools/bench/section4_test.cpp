@@ -5,11 +5,8 @@
 #include <vector>
 
 #include "geodrome/errors.hpp"
-#include "tools/bench/samples/distance_errors.hpp"
 #include "tools/bench/samples/lemma22.hpp"
 #include "tools/bench/samples/manifold_task.hpp"
-#include "tools/bench/solvers/mesh_truth.hpp"
-#include "tools/bench/shapes/torus_runs.hpp"
 #include "tools/shapes/shapes.hpp"
 
 namespace geodrome::bench {
@@ -31,24 +28,8 @@ TEST(Lemma22, TheConstantIsTheGeometricMean) {
   EXPECT_NEAR(epsilon_constant(points, std::vector<double>{0.2, 0.4}), 4, 1e-12);
 }
 
-TEST(Extrapolated, RemovesAnErrorThatFallsWithTheFaces) {
-  EXPECT_NEAR(extrapolated(3 - 5.0 / 100, 3 - 5.0 / 420, 100, 420), 3, 1e-14);
-}
-
-Plugin<ShortestPathSolver> chen_han() { return PluginHost().load<ShortestPathSolver>("chen_han"); }
-
-/// Where shooting tells the true distances, the meshes give them, and the error they state is well above theirs.
-TEST(MeshTruth, OfTheTorusIsThatOfShooting) {
-  const TorusTask task = make_torus_task(500, 2, 1);
-  const TrueDistances truth = MeshTruth("torus", 32'000, chen_han()).distances(task.sample.points, task.sources);
-  const DistanceErrors errors = distance_errors(task.truth, truth.from);
-  EXPECT_LE(4 * errors.far.mean, truth.mean_error);  // measured: 1.5e-5 and 1.0e-4
-  EXPECT_LT(truth.mean_error, 2e-4);
-}
-
-TEST(ManifoldEpsilon, IsRefusedWhereNoTruthIsKnown) {
+TEST(ManifoldEpsilon, IsRefusedWhereTheFeatureSizeIsNotKnown) {
   EXPECT_THROW(manifold_epsilon("genus2", {}, 1), OptionError);
-  EXPECT_THROW(TaskMaker("sphere", 1000, chen_han()), OptionError);
 }
 
 TEST(ManifoldEpsilon, FallsWithTheSpacingOfTheSample) {

@@ -7,66 +7,82 @@
 
 #include "tools/bench/commands/commands.hpp"
 #include "tools/bench/samples/distance_errors.hpp"
-#include "tools/bench/shapes/torus_runs.hpp"
+#include "tools/bench/samples/engine_runs.hpp"
 #include "tools/bench/solvers/fit.hpp"
+#include "tools/bench/solvers/search_figures.hpp"
 
 namespace geodrome::bench {
 namespace {
 
 constexpr const char* accuracy_meaning =
-    "Torus R = 1, r = 0.4, uniform samples. epsilon: the largest distance of 100,000 random surface points from the "
-    "sample,\n"
-    "over the local feature size, 0.4 everywhere: the core circle is that far from every point, the axis at least "
-    "0.6.\n"
-    "Errors are relative to the true geodesic distance (shooting with 16,384 rays). far: pairs at least a quarter of "
-    "the\n"
-    "largest distance apart; near: less than a twentieth. mean: of |error|; over, under: of the pairs that are too "
-    "long, too\n"
-    "short. Exponents: least squares in log-log over all runs of a variant.";
+    "hole: the largest distance of 100,000 random surface points from the sample. epsilon: the same over the local\n"
+    "feature size, where that is known and the same everywhere: sphere 1, torus 0.4, trefoil 0.1. Errors are relative\n"
+    "to the true geodesic distance: paths of an exact solver on a mesh of the shape, shortened to geodesics of the\n"
+    "shape by Newton's method (error 1e-12), the least of several ways; where there is noise, between the points that\n"
+    "it moved along the normal. far: pairs at least a quarter of the largest distance apart; near: less than a\n"
+    "twentieth. mean: of |error|; over, under: of the pairs that are too long, too short. Exponents: least squares in\n"
+    "log-log over all sizes and seeds of a variant, in the hole, to which epsilon is proportional. Seconds: all that\n"
+    "the engine does for the sources, to all points.";
 
 struct AccuracyArguments {
-  std::vector<std::size_t> points{2000, 4000, 8000, 16000, 32000};
+  std::vector<std::string> shapes{"sphere", "torus", "ellipsoid", "trefoil", "genus2", "star", "bumpy"};
+  std::vector<std::string> samplings{"uniform"};
+  std::vector<std::size_t> points{2000, 8000, 32000};
+  std::vector<double> noise{0};
   std::vector<std::uint64_t> seeds{1};
   std::vector<std::string> variants;
-  std::size_t sources = 8;
+  std::size_t sources = 4;
+  TruthChoice truth;
   RunSettings settings;
 };
 
-/// The far errors of one variant over all runs.
+/// The far errors of one variant over all sizes and seeds.
 struct Series {
-  std::vector<double> epsilon, mean, over, under;
+  std::vector<double> hole, mean, over, under;
 };
 
-void print_run(const TorusTask& task, std::uint64_t seed, const Variant& variant, const DistanceErrors& e,
-               double seconds) {
-  std::printf("%-9s %7zu %5llu %8.4f  %9.2e %9.2e %9.2e %9.2e %9.2e  %9.2e %9.2e %9.2e %9.1f\n", variant.name.c_str(),
-              task.sample.size(), static_cast<unsigned long long>(seed), task.epsilon, e.far.mean, e.far.mean_over,
+/// What one row of the table is about.
+struct Run {
+  const ManifoldTask& task;
+  const SampleCase& sample;
+
+  void print_head(const Variant& variant) const {
+    const auto size = feature_size(sample.shape);
+    std::printf("%-9s %-8s %7zu %6g %5llu %8.4f %8s", variant.name.c_str(), sample.sampling.c_str(), task.sample.size(),
+                sample.noise, static_cast<unsigned long long>(sample.seed), task.hole,
+                size ? figure_text(task.hole / *size, 4).c_str() : "-");
+  }
+};
+
+void print_errors(const DistanceErrors& e, double seconds) {
+  std::printf("  %9.2e %9.2e %9.2e %9.2e %9.2e  %9.2e %9.2e %9.2e %9.1f\n", e.far.mean, e.far.mean_over,
               e.far.mean_under, e.far.largest_over, e.far.largest_under, e.near.mean, e.near.largest_over,
               e.near.largest_under, seconds);
-  std::fflush(stdout);
 }
 
 void print_exponents(const Variant& variant, const Series& s) {
-  std::printf("%-9s mean %5.2f   over %5.2f   under %5.2f   (%zu runs)\n", variant.name.c_str(),
-              fitted_exponent(s.epsilon, s.mean), fitted_exponent(s.epsilon, s.over),
-              fitted_exponent(s.epsilon, s.under), s.epsilon.size());
+  const auto exponent = [&](const std::vector<double>& y) {
+    return figure_text(fitted_exponent(s.hole, y), 2);  // "-" of one run, or where some mean is 0
+  };
+  std::printf("%-9s mean %5s   over %5s   under %5s   (%zu runs)\n", variant.name.c_str(), exponent(s.mean).c_str(),
+              exponent(s.over).c_str(), exponent(s.under).c_str(), s.hole.size());
 }
 
-void run_variant(const TorusTask& task, std::uint64_t seed, const Variant& variant, RunSettings settings,
-                 Series& series) {
-  settings.seed = seed;
+void run_variant(const Run& run, const Variant& variant, RunSettings settings, Series& series) {
+  settings.seed = run.sample.seed;
+  run.print_head(variant);
   try {
     const auto start = std::chrono::steady_clock::now();
-    const auto computed = engine_distances(task, variant, settings);
+    const auto computed = engine_distances(run.task, variant, settings);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const DistanceErrors errors = distance_errors(task.truth, computed);
-    print_run(task, seed, variant, errors, seconds);
-    series.epsilon.push_back(task.epsilon), series.mean.push_back(errors.far.mean);
+    const DistanceErrors errors = distance_errors(run.task.truth, computed);
+    print_errors(errors, seconds);
+    series.hole.push_back(run.task.hole), series.mean.push_back(errors.far.mean);
     series.over.push_back(errors.far.mean_over), series.under.push_back(errors.far.mean_under);
   } catch (const SampleError& error) {
-    std::printf("%-9s %7zu %5llu %8.4f  refused: %s\n", variant.name.c_str(), task.sample.size(),
-                static_cast<unsigned long long>(seed), task.epsilon, error.what());
+    std::printf("  refused: %s\n", error.what());
   }
+  std::fflush(stdout);
 }
 
 /// Those of the known variants that are asked for; all if none is.
@@ -82,35 +98,58 @@ std::vector<Variant> chosen_variants(const AccuracyArguments& arguments) {
   return chosen;
 }
 
-void run(const AccuracyArguments& arguments) {
-  const std::vector<Variant> variants = chosen_variants(arguments);
+void print_titles(const std::string& shape) {
+  std::printf("\n%s\n%-9s %-8s %7s %6s %5s %8s %8s  %9s %9s %9s %9s %9s  %9s %9s %9s %9s\n", shape.c_str(), "variant",
+              "sampling", "points", "noise", "seed", "hole", "epsilon", "far mean", "over", "under", "max over",
+              "max under", "near mean", "max over", "max under", "seconds");
+}
+
+/// All sizes and seeds of a way to sample, and their exponents.
+void run_sizes(TaskMaker& maker, SampleCase sample, const std::vector<Variant>& variants,
+               const AccuracyArguments& arguments) {
   std::vector<Series> series(variants.size());
   double asymmetry = 0;
-  std::printf("solver %s, %zu sources\n", arguments.settings.stages.solver.c_str(), arguments.sources);
-  std::printf("%-9s %7s %5s %8s  %9s %9s %9s %9s %9s  %9s %9s %9s %9s\n", "variant", "points", "seed", "epsilon",
-              "far mean", "over", "under", "max over", "max under", "near mean", "max over", "max under", "seconds");
   for (const std::size_t points : arguments.points)
     for (const std::uint64_t seed : arguments.seeds) {
-      const TorusTask task = make_torus_task(points, arguments.sources, seed);
+      sample.points = points, sample.seed = seed;
+      const ManifoldTask task = maker.make(sample, arguments.sources);
       asymmetry = std::max(asymmetry, task.asymmetry);
       for (std::size_t i = 0; i < variants.size(); ++i)
-        run_variant(task, seed, variants[i], arguments.settings, series[i]);
+        run_variant({task, sample}, variants[i], arguments.settings, series[i]);
     }
   std::printf("truth: largest |d(a, b) - d(b, a)| among sources %.1e\n", asymmetry);
   std::printf("exponents in epsilon of the far means; proved: over 1 (Lemma 21), under 0.5 (Lemma 20)\n");
   for (std::size_t i = 0; i < variants.size(); ++i) print_exponents(variants[i], series[i]);
 }
 
+void run(const AccuracyArguments& arguments) {
+  const PluginHost host(arguments.settings.plugin_path);
+  const std::vector<Variant> variants = chosen_variants(arguments);
+  std::printf("solver %s, %zu sources\n", arguments.settings.stages.solver.c_str(), arguments.sources);
+  for (const std::string& shape : arguments.shapes) {
+    TaskMaker maker(shape, arguments.truth, host);
+    print_titles(shape);
+    for (const std::string& sampling : arguments.samplings)
+      for (const double noise : arguments.noise)
+        run_sizes(maker, {.shape = shape, .sampling = sampling, .noise = noise}, variants, arguments);
+  }
+}
+
 }  // namespace
 
 void add_accuracy(CLI::App& app, Action& action) {
   const auto [command, arguments] = add_command<AccuracyArguments>(
-      app, action, "accuracy", "Distances on a sampled torus against the true ones.", accuracy_meaning, run);
+      app, action, "accuracy", "Distances on sampled surfaces against the true ones.", accuracy_meaning, run);
+  add_list(command, "--shapes", arguments.shapes, "smooth closed shapes")->check(CLI::IsMember(smooth_shapes()));
+  add_list(command, "--samplings", arguments.samplings, "of uniform, blue, grid, loose");
   add_list(command, "--points", arguments.points, "numbers of points");
+  add_list(command, "--noise", arguments.noise, "standard deviations along the normal, as shares of the diagonal");
   add_list(command, "--seeds", arguments.seeds, "of samples, sources and stages");
   add_list(command, "--variants", arguments.variants,
            "of default, none (decimator_none), insert, printed (query rules); all if not given");
   add_count(command, "--sources", arguments.sources, "random points of each sample");
+  add_truth(command, arguments.truth);
+  add_count(command, "--near", arguments.truth.near, "more targets of a source that are near it");
   command.add_option("--solver", arguments.settings.stages.solver, "an exact solver")->capture_default_str();
   add_stages(command, arguments.settings);
   add_threads(command, arguments.settings);

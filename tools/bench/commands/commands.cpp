@@ -29,6 +29,13 @@ void add_peer(CLI::App& command, Rivals& rivals, const char* help) {
   command.add_option("--peer", rivals.peer, help)->capture_default_str();
 }
 
+void add_truth(CLI::App& command, TruthChoice& choice) {
+  command.add_option("--truth", choice.solver, "the exact solver on a mesh of the true surface")->capture_default_str();
+  add_count(command, "--truth-faces", choice.faces, "of that mesh, about");
+  add_count(command, "--targets", choice.targets,
+            "random points of each sample that distances of a source are judged at");
+}
+
 CLI::Option* add_count(CLI::App& command, const char* flag, std::size_t& count, const char* help) {
   return command.add_option(flag, count, help)->capture_default_str()->check(CLI::PositiveNumber);
 }

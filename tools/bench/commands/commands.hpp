@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geodrome/engine/pipeline.hpp"
+#include "tools/bench/samples/manifold_task.hpp"
 
 /// The subcommands of `geodrome-bench`, each in a file of its own.
 namespace geodrome::bench {
@@ -64,6 +65,9 @@ void add_solver(CLI::App& command, Rivals& rivals, const char* help = one_solver
 void add_peer(CLI::App& command, Rivals& rivals, const char* help = one_solver);
 void add_stages(CLI::App& command, RunSettings& settings);   ///< plugins of stages 1 to 4, --plugin-path
 void add_threads(CLI::App& command, RunSettings& settings);  ///< default 1
+
+/// What true distances on a shape start from, and how many there are.
+void add_truth(CLI::App& command, TruthChoice& choice);
 
 /// A number that must be positive.
 CLI::Option* add_count(CLI::App& command, const char* flag, std::size_t& count, const char* help);

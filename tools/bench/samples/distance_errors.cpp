@@ -7,8 +7,6 @@
 namespace geodrome::bench {
 namespace {
 
-constexpr double far_share = 0.25, near_share = 0.05;
-
 void add(DistanceErrors::Group& group, double error) {
   ++group.pairs, group.mean += std::abs(error);
   if (error > 0) ++group.over_pairs, group.mean_over += error, group.largest_over = std::max(group.largest_over, error);

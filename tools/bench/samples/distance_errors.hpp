@@ -6,6 +6,9 @@
 
 namespace geodrome::bench {
 
+/// What far and near mean: shares of the largest true distance.
+inline constexpr double far_share = 0.25, near_share = 0.05;
+
 /// Relative errors of distances, by how far apart the points truly are. A mean over no pair is 0.
 struct DistanceErrors {
   struct Group {

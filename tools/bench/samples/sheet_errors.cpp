@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "tools/bench/shapes/torus_runs.hpp"
+#include "tools/bench/samples/manifold_task.hpp"
 #include "tools/bench/solvers/witness.hpp"
 #include "tools/shapes/sheets.hpp"
 

@@ -42,12 +42,15 @@ std::vector<double> Witness::lower_bounds(std::span<const SurfacePoint> points) 
   return values;
 }
 
-MeasuredPath Witness::path(const SurfacePoint& from) const {
+std::vector<SurfacePoint> Witness::traced(const SurfacePoint& from) const {
   std::vector<SurfacePoint> path;
-  const Index source = plugin_.call([&](const ShortestPathSolver&) {
-    map_->path(from, path);
-    return map_->at(from).source;
-  });
+  plugin_.call([&](const ShortestPathSolver&) { map_->path(from, path); });
+  return path;
+}
+
+MeasuredPath Witness::path(const SurfacePoint& from) const {
+  const std::vector<SurfacePoint> path = traced(from);
+  const Index source = plugin_.call([&](const ShortestPathSolver&) { return map_->at(from).source; });
   if (path.empty() || source >= sources_.size()) return {};
   const auto miss_start = common_.straight(path.front(), from);
   const auto miss_end = common_.straight(path.back(), sources_[source].at);

@@ -54,7 +54,9 @@ class Witness {
   std::span<const double> vertices() const { return map_->vertices(); }
   std::span<const Counter> counters() const { return map_->counters(); }
 
-  /// The path from a point to its source. Needs Keep::map.
+  /// The path from a point to its source as the solver gives it, empty if not reached. Needs Keep::map.
+  std::vector<SurfacePoint> traced(const SurfacePoint& from) const;
+  /// How long it is.
   MeasuredPath path(const SurfacePoint& from) const;
   /// Its length and what its ends miss.
   double path_length(const SurfacePoint& from) const {
