@@ -17,12 +17,12 @@ struct GeodesicPath {
 
 /// The geodesic that a polyline near the surface is shortened to, its ends on the surface and kept: Newton's method on
 /// a broken geodesic (Milnor, Morse Theory, section 16), whose pieces are geodesics between nodes that move across it;
-/// the second derivative of the length comes from Jacobi fields and is tridiagonal. No piece is longer than `turn`
-/// over the largest normal curvature met. The ends of the result are those of the polyline to the last bit. Throws
-/// NumericalError if the length does not settle.
+/// the second derivative of the length comes from Jacobi fields and is tridiagonal. At first no piece is longer than
+/// `turn` over the largest normal curvature met. The ends of the result are those of the polyline to the last bit.
+/// Throws NumericalError if the length does not settle.
 GeodesicPath shortened(LevelSet level, std::span<const Vec3> polyline, double turn = 0.8);
 
-/// A bound of the normal curvatures of the surface at a point, at most sqrt(2) times as large as the largest.
+/// A bound of the normal curvatures of the surface at a point: the Frobenius norm of the Hessian over |grad f|.
 double curvature_bound(LevelSet level, const Vec3& point);
 
 /// `count` + 1 points of a polyline, equal lengths apart, its ends kept.

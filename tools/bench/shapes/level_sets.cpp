@@ -51,8 +51,8 @@ CurvePoint trefoil_curve(double t) {
           Vec3{-s1 - 8 * s2, -c1 + 8 * c2, 9 * s3} / 3};
 }
 
-/// Where the curve is closest to x among points 0.39 apart at most: a point of the tube is within 0.22 of one on its own
-/// strand, and 0.3 from all others, for strands are 0.4 apart.
+/// Where the curve is closest to x among points 0.39 apart at most: a point of the tube is within 0.22 of one on its
+/// own strand, and 0.3 from all others, for strands are 0.4 apart.
 double nearest_parameter(const Vec3& x) {
   constexpr std::size_t count = 32;
   constexpr double step = 2 * std::numbers::pi / count;
