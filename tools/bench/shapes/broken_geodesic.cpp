@@ -54,14 +54,16 @@ struct Quadratic {
     return y;
   }
 
-  /// Where to go: to the minimum, or downhill where the quadratic has none.
+  /// Where to go: to the minimum, or downhill where the quadratic has none. A lift of the sum of the largest entries of
+  /// a row is enough.
   std::vector<double> step() const {
-    constexpr double first = 1e-3, more = 4;
-    double lift = 0;
-    for (;;) {
-      if (auto y = minimum(lift)) return *std::move(y);
-      lift = lift > 0 ? more * lift : first * *std::ranges::max_element(diagonal);
-    }
+    if (auto y = minimum(0)) return *std::move(y);
+    double scale = 0;
+    for (const double entry : diagonal) scale = std::max(scale, std::abs(entry));
+    for (const double entry : beside) scale = std::max(scale, std::abs(entry));
+    for (const double share : {1e-3, 4e-3, 0.016, 0.064, 0.25, 1.0, 4.0})
+      if (auto y = minimum(share * scale)) return *std::move(y);
+    throw NumericalError("the second derivative of a path's length is not finite");
   }
 };
 
@@ -93,12 +95,6 @@ std::optional<Broken> moved(LevelSet level, const Broken& path, const Quadratic&
   return {};
 }
 
-double length_of(std::span<const Vec3> polyline) {
-  double sum = 0;
-  for (std::size_t i = 0; i + 1 < polyline.size(); ++i) sum += distance(polyline[i], polyline[i + 1]);
-  return sum;
-}
-
 std::vector<Vec3> first_nodes(LevelSet level, std::span<const Vec3> polyline, double turn) {
   double bend = 0;
   for (const Vec3& p : polyline) bend = std::max(bend, curvature_bound(level, p));
@@ -115,6 +111,12 @@ double curvature_bound(LevelSet level, const Vec3& point) {
   const shapes::Symmetric3& h = f.hessian;
   const double squares = h.xx * h.xx + h.yy * h.yy + h.zz * h.zz + 2 * (h.xy * h.xy + h.xz * h.xz + h.yz * h.yz);
   return std::sqrt(squares) / norm(f.gradient);
+}
+
+double length_of(std::span<const Vec3> polyline) {
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < polyline.size(); ++i) sum += distance(polyline[i], polyline[i + 1]);
+  return sum;
 }
 
 std::vector<Vec3> resampled(std::span<const Vec3> polyline, std::size_t count) {

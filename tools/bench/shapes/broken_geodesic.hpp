@@ -25,6 +25,8 @@ GeodesicPath shortened(LevelSet level, std::span<const Vec3> polyline, double tu
 /// A bound of the normal curvatures of the surface at a point: the Frobenius norm of the Hessian over |grad f|.
 double curvature_bound(LevelSet level, const Vec3& point);
 
+double length_of(std::span<const Vec3> polyline);
+
 /// `count` + 1 points of a polyline, equal lengths apart, its ends kept.
 std::vector<Vec3> resampled(std::span<const Vec3> polyline, std::size_t count);
 

@@ -34,6 +34,24 @@ double gap_between(std::span<const Vec3> a, std::span<const Vec3> b) {
   return widest;
 }
 
+/// The path moved to start at the target, less and less along it: without a fold, wherever the target lies beside its
+/// first point. The end stays.
+std::vector<Vec3> bent_to(const Vec3& target, std::vector<Vec3> path) {
+  constexpr double slow = 4;  // times the move: the angles of the path change by 1/4 at most
+  const Vec3 move = target - path.front();
+  const double reach = std::min(slow * norm(move), length_of(path));
+  double passed = 0;
+  Vec3 before = path.front();
+  const Vec3 end = path.back();
+  for (Vec3& p : path) {
+    passed += geodrome::distance(before, p);
+    before = p;
+    p = p + std::max(0.0, 1 - passed / reach) * move;
+  }
+  path.front() = target, path.back() = end;  // to the last bit
+  return path;
+}
+
 }  // namespace
 
 SurfaceTruth::SurfaceTruth(const std::string& shape, std::size_t faces, const Plugin<ShortestPathSolver>& solver)
@@ -74,8 +92,7 @@ std::vector<std::vector<Vec3>> SurfaceTruth::starts(const Vec3& target) const {
     for (int k = 0; k < directions; ++k) {
       const double angle = 2 * std::numbers::pi * k / directions, away = std::min(radius * edge_, farthest);
       const Vec3 direction = std::cos(angle) * side + std::sin(angle) * other;
-      std::vector<Vec3> path = rough_path(shoot(level_, target, direction, away).end);
-      path.insert(path.begin(), target);
+      std::vector<Vec3> path = bent_to(target, rough_path(shoot(level_, target, direction, away).end));
       const auto same = [&](const std::vector<Vec3>& known) { return gap_between(path, known) < 2 * away; };
       if (std::ranges::none_of(kept, same)) kept.push_back(std::move(path));
     }

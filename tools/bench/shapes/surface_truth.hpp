@@ -16,7 +16,7 @@ namespace geodrome::bench {
 /// True geodesic distances on a smooth shape. An exact solver's paths on a fine mesh with vertices on the shape, which
 /// miss the true distances by the square of its edges, are shortened to geodesics of the shape itself (see
 /// `shortened`). Near a cut locus the mesh may prefer the wrong one of two ways of nearly the same length, so that the
-/// paths to points all around a target, continued to it, are shortened too where they take another way; the least
+/// paths to points all around a target, bent to it, are shortened too where they take another way; the least
 /// length counts. Error: that of the geodesics, 1e-12 of the shape's size.
 class SurfaceTruth {
  public:
