@@ -88,8 +88,8 @@ void Propagation::next() {
 void Propagation::send_wedge(const Apex& apex, const PseudoSource& from, double, Entry entry) {
   Block& block = store_.add(1);
   block.entry = entry, block.depth = 1;
-  const Index parent = direct_ ? direct_->first_bearing(apex.left()) : no_index;
-  block.windows().set(0, {apex.length - from.x, -from.y, from.sigma, 0, apex.length, from.origin, parent});
+  block.windows().set(0, {apex.length - from.x, -from.y, from.sigma, 0, apex.length, from.origin, no_index});
+  if (direct_) block.windows().names()[0] = DirectRun::names(direct_->first_bearing(apex.left()));
   block.near = nearness(block.span());
   hand_on(block, apex.face, apex.half_edge);
 }
@@ -192,7 +192,9 @@ void Propagation::lower_apex(const Apex& apex, const Span& list, const Split& sp
 /// By window i, coming from its image, or from (x, 0) if the way bends there.
 void Propagation::lower_apex_by(const Apex& apex, const Span& list, std::size_t i, double x, double distance) {
   const WindowArrays& w = list.windows;
-  lower_apex_from(apex, image_of(w, i), x, distance, [&] {
+  PseudoSource image = image_of(w, i);
+  if (direct_) image.origin = direct_->source();
+  lower_apex_from(apex, image, x, distance, [&] {
     if (direct_) note_exit(apex, w, i, x);
     return Step{.window = w.names()[i].parent};
   });

@@ -131,7 +131,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   void pass_at_once(Block& block, Index edge);
 
   Settings settings_;
-  DirectRun* direct_ = nullptr;  ///< in a direct run, in which `parent` of windows is the Bearing of their frame
+  DirectRun* direct_ = nullptr;  ///< in a direct run, in which the names of windows are the Bearing of their frame
   const Lanes* lanes_;
   Wavefront wavefront_;
   WindowStore& store_;

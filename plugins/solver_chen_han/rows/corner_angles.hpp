@@ -12,7 +12,7 @@ namespace geodrome::chen_han {
 
 /// The angles of all corners, and the directions at a vertex counted over all its faces: from 0 at its first corner to
 /// the total angle, counterclockwise. Directions at vertices that are irregular, or that have more than
-/// `largest_angle`, are not told. Immutable. 8 bytes a corner, 8 a vertex.
+/// `largest_angle`, are not told. Immutable. 16 bytes a corner, 8 a vertex.
 class CornerAngles {
  public:
   /// O(F).

@@ -10,7 +10,7 @@ void Propagation::begin_direct(DirectRun& direct, Index source, double limit) {
   begin(false, limit);
   direct.reset(source);
   direct_ = &direct;
-  wavefront_.mark_mirrored(unknown_bearing);
+  wavefront_.mark_mirrored(static_cast<Index>(unknown_bearing));
   seed({surface_.mesh().at_vertex(surface_.original_vertex(source))}, 0);
 }
 
@@ -25,7 +25,7 @@ void Propagation::go_on_from(Index vertex) {
 void Propagation::note_exit(const Apex& apex, const WindowArrays& w, std::size_t i, double x) {
   const bool straight = x == w.x()[i];
   const double dx = (straight ? apex.x : x) - w.x()[i], dy = (straight ? apex.y : 0) - w.y()[i];
-  direct_->set_exit(apex.vertex(), DirectRun::direction(w.names()[i].parent, dx, dy));
+  direct_->set_exit(apex.vertex(), DirectRun::direction(DirectRun::bearing(w.names()[i]), dx, dy));
 }
 
 /// Returns where a path by window i bends in a direct run: beside (x, 0) if the image is there, for the x of the image

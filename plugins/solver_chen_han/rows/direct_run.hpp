@@ -69,11 +69,13 @@ class DirectRun {
   /// Returns the direction in which the direct path to a vertex leaves the source. Precondition: there is one.
   Bearing exit(Index vertex) const { return exits_[vertex]; }
   void set_exit(Index vertex, Bearing bearing) { exits_[vertex] = bearing; }
-  /// Returns the direction in which the edge from the source to a vertex leaves it.
+  /// Returns the direction in which the edge from the source to a vertex leaves it. O(degree of the vertex): all
+  /// neighbours of a source of very many faces are asked about.
   Bearing exit_along_edge(Index vertex) const {
-    for (const Index corner : surface_.corners(source_)) {
-      if (surface_.from(SurfaceMesh::next(corner)) == vertex) return angles_.start(corner);
-      if (surface_.from(SurfaceMesh::previous(corner)) == vertex) return angles_.start(corner) + angles_.angle(corner);
+    for (const Index corner : surface_.corners(vertex)) {
+      const Index next = SurfaceMesh::next(corner), previous = SurfaceMesh::previous(corner);
+      if (surface_.from(previous) == source_) return angles_.start(previous);
+      if (surface_.from(next) == source_) return angles_.start(next) + angles_.angle(next);
     }
     return unknown_bearing;
   }
@@ -84,9 +86,17 @@ class DirectRun {
   static Bearing direction(Bearing frame, double dx, double dy) { return frame + bearing_of(std::atan2(dy, dx)); }
   /// Returns the angle of a corner.
   Bearing angle(Index corner) const { return angles_.angle(corner); }
+
+  /// All windows come from one vertex, so both their names together hold the bearing of their frame; that of a mirrored
+  /// window is made unknown by a bit of `parent`, the lower half.
+  static Bearing bearing(const WindowArrays::Names& names) { return Bearing{names.origin} << 32 | names.parent; }
+  static WindowArrays::Names names(Bearing bearing) {
+    return {static_cast<Index>(bearing >> 32), static_cast<Index>(bearing)};
+  }
   /// Turns the frames of windows by an angle.
   static void turn(const Span& list, Bearing angle) {
-    for (std::size_t i = 0; i < list.count; ++i) list.windows.names()[i].parent += angle;
+    WindowArrays::Names* const all = list.windows.names();
+    for (std::size_t i = 0; i < list.count; ++i) all[i] = names(bearing(all[i]) + angle);
   }
 
   std::size_t bytes() const {
