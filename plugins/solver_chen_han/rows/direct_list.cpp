@@ -11,6 +11,7 @@ DirectList::DirectList(std::span<const FoundPath> paths, std::size_t any, Direct
       arrivals_(std::make_unique_for_overwrite<DirectionCode[]>(paths.size())),
       any_(static_cast<Index>(any)),
       directed_(static_cast<Index>(paths.size() - any)),
+      group_size_(static_cast<std::uint16_t>(1 + directed_ / (Onward::most_groups + 1))),
       half_turn_(half_turn),
       closed_(closed) {
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -18,6 +19,7 @@ DirectList::DirectList(std::span<const FoundPath> paths, std::size_t any, Direct
     arrivals_[i] = paths[i].arrival;
     if (i >= any) exits_[i - any] = paths[i].exit;
   }
+  groups_ = static_cast<std::uint16_t>((directed_ + group_size_ - 1) / group_size_);
 }
 
 Index DirectList::first_from(int code) const {
@@ -25,22 +27,37 @@ Index DirectList::first_from(int code) const {
   return static_cast<Index>(std::lower_bound(begin, begin + directed_, code) - begin);
 }
 
+/// The groups that hold `count` directed paths from `first` on.
+Onward DirectList::grouped(Index first, Index count) const {
+  if (count == 0 && any_ == 0) return {};
+  if (count == 0) return {0, 0};
+  const Index before_end = std::min(count, directed_ - first), first_group = first / group_size_;
+  Index groups = (first + before_end - 1) / group_size_ + 1 - first_group;
+  if (before_end < count) groups += (count - before_end - 1) / group_size_ + 1;
+  return {static_cast<std::uint16_t>(first_group), static_cast<std::uint16_t>(std::min<Index>(groups, groups_))};
+}
+
+std::array<std::span<const DirectPath>, 2> DirectList::directed(Onward onward) const {
+  const std::span<const DirectPath> all = directed();
+  const std::size_t first = std::size_t{onward.first} * group_size_;
+  const std::size_t before_end = std::min<std::size_t>(onward.count, groups_ - onward.first);
+  const std::size_t after_end = onward.count - before_end;
+  return {all.subspan(first, std::min(before_end * group_size_, all.size() - first)),
+          all.first(after_end * group_size_)};
+}
+
 Onward DirectList::onward(DirectionCode arrival) const {
   if (arrival == ends_here) return {};
-  const auto paths = [this](Index first, Index count) -> Onward {
-    if (count == 0 && any_ == 0) return {};
-    return {static_cast<std::uint16_t>(count == 0 ? 0 : first), static_cast<std::uint16_t>(count)};
-  };
-  if (arrival == to_all_sides || half_turn_ == 0) return paths(0, directed_);
+  if (arrival == to_all_sides || half_turn_ == 0) return grouped(0, directed_);
   const int low = arrival + half_turn_, high = arrival - half_turn_ + 1;
   const auto between = [&](int from, int to) {
     const Index first = first_from(from), last = first_from(to);
-    return paths(first, last > first ? last - first : 0);
+    return grouped(first, last > first ? last - first : 0);
   };
   if (closed_ && low >= full_angle) return between(low - full_angle, high);
   if (closed_ && high <= 0) return between(low, high + full_angle);
   const Index first = first_from(low);
-  return paths(first == directed_ ? 0 : first, directed_ - first + first_from(high));
+  return grouped(first == directed_ ? 0 : first, directed_ - first + first_from(high));
 }
 
 void DirectList::complete(const std::vector<DirectList>& lists) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -25,9 +26,11 @@ struct FoundPath {
   DirectionCode arrival;  ///< the direction, at the target, from which it came
 };
 
-/// Those of a list's directed paths that a path may go on by: `count` from `first` on, after the last the first again.
+/// Those of a list's directed paths that a path may go on by: `count` groups from `first` on, after the last the first
+/// again. A group is one path, or a few in lists of more paths than 16 bits can count.
 struct Onward {
   static constexpr std::uint16_t nowhere = 65535;
+  static constexpr Index most_groups = nowhere - 1;
 
   std::uint16_t first = nowhere, count = 0;
 
@@ -46,17 +49,15 @@ struct DirectPath {
 /// which leave in a direction of their own, in the order of directions.
 class DirectList {
  public:
-  /// More directed paths than that cannot be told apart.
-  static constexpr std::size_t most_paths = Onward::nowhere;
-
   /// A list without paths.
   DirectList() = default;
-  /// Copies paths, of which the first `any` may be gone on by from any direction and the others are in order, at most
-  /// `most_paths`. Paths go on at an angle of at least `half_turn` to where they came from, on both sides; 0: in all
-  /// directions. `closed`: directions go around the vertex.
+  /// Copies paths, of which the first `any` may be gone on by from any direction and the others are in order. Paths go
+  /// on at an angle of at least `half_turn` to where they came from, on both sides; 0: in all directions. `closed`:
+  /// directions go around the vertex.
   DirectList(std::span<const FoundPath> paths, std::size_t any, DirectionCode half_turn, bool closed);
 
-  /// Returns the paths by which one that arrives from a direction may go on. O(log n).
+  /// Returns the paths by which one that arrives from a direction may go on, with the rest of the groups at their two
+  /// ends. O(log n).
   Onward onward(DirectionCode arrival) const;
   /// Completes the paths by what `lists`, those of all vertices, let them go on by. Called once; other lists may be
   /// completed at the same time. O(n log n).
@@ -65,18 +66,22 @@ class DirectList {
   std::span<const DirectPath> paths() const { return {paths_.get(), any_ + directed_}; }
   std::span<const DirectPath> for_any() const { return {paths_.get(), any_}; }
   std::span<const DirectPath> directed() const { return {paths_.get() + any_, directed_}; }
+  /// Returns the directed paths of an onward that does not end, in two pieces. O(1).
+  std::array<std::span<const DirectPath>, 2> directed(Onward onward) const;
   /// Tells whether these are all directed paths.
-  bool is_all(Onward onward) const { return !onward.ends() && onward.count == directed_; }
+  bool is_all(Onward onward) const { return !onward.ends() && onward.count == groups_; }
 
   std::size_t bytes() const { return (any_ + directed_) * (sizeof(DirectPath) + sizeof(DirectionCode)); }
 
  private:
   Index first_from(int code) const;
+  Onward grouped(Index first, Index count) const;
 
   std::unique_ptr<DirectPath[]> paths_;
   std::unique_ptr<DirectionCode[]> exits_;     ///< of the directed paths
   std::unique_ptr<DirectionCode[]> arrivals_;  ///< of all paths, until they are complete
   Index any_ = 0, directed_ = 0;
+  std::uint16_t groups_ = 0, group_size_ = 1;  ///< of the directed paths; the last group may have fewer
   DirectionCode half_turn_ = 0;
   bool closed_ = false;
 };

@@ -1,22 +1,47 @@
 // SPDX-License-Identifier: MIT
 #include "plugins/solver_chen_han/rows/direct_lists.hpp"
 
+#include <algorithm>
 #include <atomic>
 
 #include "interfaces/internal/shared_work.hpp"
 
 namespace geodrome::chen_han {
 
-std::vector<Index> bends_within(const PackedMesh& surface, const Settings& settings, std::span<const Index> sources,
-                                double distance, RunContext& context) {
+namespace {
+
+bool can_bend(const PackedMesh& surface, Index vertex) {
+  return surface.kind(vertex) != PackedMesh::VertexKind::smooth && !surface.corners(vertex).empty();
+}
+
+}  // namespace
+
+std::vector<Index> bends_of(const PackedMesh& surface, std::span<const Index> sources) {
+  const auto component = [&](Index v) { return surface.components()[surface.original_vertex(v)]; };
+  std::vector<bool> with_source(surface.vertex_count());
+  for (const Index source : sources) with_source[component(source)] = true;
+  std::vector<Index> vertices;
+  for (Index v = 0; v < surface.vertex_count(); ++v)
+    if (can_bend(surface, v) && with_source[component(v)]) vertices.push_back(v);
+  return vertices;
+}
+
+std::optional<std::vector<Index>> bends_within(const PackedMesh& surface, const Settings& settings,
+                                               std::span<const Index> sources, double distance, std::size_t most_bytes,
+                                               const RunContext& context) {
   Propagation propagation(surface, settings);
   propagation.begin(false, distance);
+  most_bytes += propagation.bytes();
   for (const Index source : sources) propagation.seed({surface.mesh().at_vertex(surface.original_vertex(source))}, 0);
-  propagation.run(context, [] { return infinity; });
+  bool too_large = false;
+  propagation.run(context, [&] {
+    too_large = too_large || propagation.bytes() > most_bytes;
+    return too_large ? 0.0 : infinity;
+  });
+  if (too_large) return std::nullopt;
   std::vector<Index> vertices;
   for (const Index v : propagation.reached())
-    if (surface.kind(v) != PackedMesh::VertexKind::smooth && propagation.answer(v).distance <= distance)
-      vertices.push_back(v);
+    if (can_bend(surface, v) && propagation.answer(v).distance <= distance) vertices.push_back(v);
   std::sort(vertices.begin(), vertices.end());
   return vertices;
 }
@@ -29,9 +54,9 @@ std::optional<DirectLists> make_lists(const PackedMesh& surface, const Settings&
   share_work(vertices.size(), 16, context.threads(), context, [&] {
     return [&, search = DirectSearch(surface, settings, ground)](std::uint64_t begin, std::uint64_t end) mutable {
       for (std::uint64_t i = begin; i < end && bytes <= most_bytes; ++i) {
-        std::optional<DirectList> list = search.list(vertices[i], distance, context);
-        bytes += list ? list->bytes() : most_bytes;
-        if (list) result.lists[vertices[i]] = std::move(*list);
+        DirectList list = search.list(vertices[i], distance, context);
+        bytes += list.bytes();
+        result.lists[vertices[i]] = std::move(list);
       }
       context.progress(static_cast<double>(done += end - begin) / static_cast<double>(vertices.size()));
     };

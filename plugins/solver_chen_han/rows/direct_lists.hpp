@@ -13,10 +13,14 @@
 
 namespace geodrome::chen_han {
 
-/// The vertices at which a shortest path from one of some sources can bend within a distance: all but smooth ones.
-/// In ascending order. Throws Cancelled.
-std::vector<Index> bends_within(const PackedMesh& surface, const Settings& settings, std::span<const Index> sources,
-                                double distance, RunContext& context);
+/// The vertices at which a path from one of some sources can bend, however long it is: all but smooth ones. In
+/// ascending order. O(V).
+std::vector<Index> bends_of(const PackedMesh& surface, std::span<const Index> sources);
+/// The same within a distance, by one search from all sources; nothing if it took more than `most_bytes`, as it may
+/// where windows of many sources meet at a vertex of very many faces. Throws Cancelled.
+std::optional<std::vector<Index>> bends_within(const PackedMesh& surface, const Settings& settings,
+                                               std::span<const Index> sources, double distance, std::size_t most_bytes,
+                                               const RunContext& context);
 
 /// The direct paths from vertices at which paths can bend.
 struct DirectLists {
@@ -25,7 +29,7 @@ struct DirectLists {
 };
 
 /// Makes the lists of `vertices`, with paths up to `distance`, on up to `context.threads()` threads; nothing if they
-/// take more than `most_bytes`, or one of them has too many paths. Throws Cancelled.
+/// take more than `most_bytes`. Throws Cancelled.
 std::optional<DirectLists> make_lists(const PackedMesh& surface, const Settings& settings, const DirectGround& ground,
                                       std::span<const Index> vertices, double distance, std::size_t most_bytes,
                                       RunContext& context);

@@ -36,9 +36,8 @@ std::span<const FoundPath> DirectSearch::run(Index source, double limit, const R
   return paths_;
 }
 
-std::optional<DirectList> DirectSearch::list(Index source, double limit, const RunContext& context) {
+DirectList DirectSearch::list(Index source, double limit, const RunContext& context) {
   run(source, limit, context);
-  if (paths_.size() > DirectList::most_paths) return std::nullopt;
   std::sort(
       paths_.begin() + static_cast<std::ptrdiff_t>(any_), paths_.end(),
       [](const FoundPath& a, const FoundPath& b) { return a.exit != b.exit ? a.exit < b.exit : a.target < b.target; });

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -49,8 +48,8 @@ class DirectSearch {
   /// Returns the direct paths from a vertex, up to a length, that may be shortest: all that are, and some that are
   /// longer. In any order, valid until the next run. Throws Cancelled.
   std::span<const FoundPath> run(Index source, double limit, const RunContext& context);
-  /// The same as a list, which is not complete; none if there are too many for one.
-  std::optional<DirectList> list(Index source, double limit, const RunContext& context);
+  /// The same as a list, which is not complete.
+  DirectList list(Index source, double limit, const RunContext& context);
 
   /// After a run.
   const Propagation& propagation() const { return propagation_; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "interfaces/internal/shared_work.hpp"
 #include "plugins/solver_chen_han/propagation.hpp"
@@ -43,6 +44,9 @@ class NearSearch {
     return count;
   }
 
+  /// Returns what all searches so far took together.
+  const NearCounts& counts() const { return counts_; }
+
  private:
   double first_radius(Index vertex) const {
     double sum = 0;
@@ -55,24 +59,35 @@ class NearSearch {
     propagation_.begin(false, radius);
     propagation_.seed({surface_.mesh().at_vertex(surface_.original_vertex(vertex))}, 0);
     propagation_.run(context, [&] { return enough(wanted); });
+    count();
     found_.clear();
     for (const Index v : propagation_.reached())
       if (v != vertex) found_.push_back({v, rounded_up(propagation_.answer(v).distance)});
   }
 
-  /// Where vertices are much denser nearby than around the source, the search ends early.
+  /// Where vertices are much denser nearby than around the source, the search ends early: as many others as wanted are
+  /// no farther than those found so far.
   double enough(std::size_t wanted) {
     const auto& reached = propagation_.reached();
     if (reached.size() < 4 * wanted) return infinity;
-    double farthest = 0;
-    for (std::size_t i = 0; i < 4 * wanted; ++i)
-      farthest = std::max(farthest, propagation_.answer(reached[i]).distance);
-    return farthest;
+    distances_.clear();
+    for (const Index v : reached) distances_.push_back(propagation_.answer(v).distance);
+    const auto last = distances_.begin() + static_cast<std::ptrdiff_t>(wanted);  // the vertex itself is the first
+    std::nth_element(distances_.begin(), last, distances_.end());
+    return *last;
+  }
+
+  void count() {
+    counts_.reached += static_cast<double>(propagation_.reached().size());
+    for (const Counter& counter : propagation_.counters())
+      if (std::string_view(counter.name) == "half_edges_passed") counts_.passes += static_cast<double>(counter.value);
   }
 
   const PackedMesh& surface_;
   Propagation propagation_;
   std::vector<NearLists::Entry> found_;
+  std::vector<double> distances_;
+  NearCounts counts_;
   int vain_ = 0;
 };
 
@@ -86,6 +101,15 @@ NearLists::NearLists(const PackedMesh& surface, const Settings& settings, std::s
         size_[v] = static_cast<Index>(search.write(v, {entries_.data() + v * count_, count_}, context));
     };
   });
+}
+
+NearCounts count_near(const PackedMesh& surface, const Settings& settings, std::size_t count,
+                      std::span<const Index> vertices, double most_work, const RunContext& context) {
+  NearSearch search(surface, settings);
+  std::vector<NearLists::Entry> entries(count);
+  for (std::size_t i = 0; i < vertices.size() && search.counts().work() <= most_work; ++i)
+    search.write(vertices[i], entries, context);
+  return search.counts();
 }
 
 }  // namespace geodrome::chen_han

@@ -35,4 +35,15 @@ class NearLists {
   std::vector<Index> size_;
 };
 
+/// What searches take.
+struct NearCounts {
+  double passes = 0, reached = 0;  ///< of lists of windows, vertices
+
+  /// Returns about how long they took, in units of 10 ns on a processor of 2025.
+  double work() const { return 25 * passes + 5 * reached; }
+};
+/// Searches from some vertices as NearLists does from all, until that took more than `most_work`. Throws Cancelled.
+NearCounts count_near(const PackedMesh& surface, const Settings& settings, std::size_t count,
+                      std::span<const Index> vertices, double most_work, const RunContext& context);
+
 }  // namespace geodrome::chen_han

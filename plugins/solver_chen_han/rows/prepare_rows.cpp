@@ -74,12 +74,16 @@ class RowPlanner {
     if (sources_.size() < fewest_sources())
       return plain("lists of direct paths pay for " + std::to_string(fewest_sources()) +
                    " sources at vertices or more");
-    bends_ = bends_within(surface_, settings_, sources_, distance_, context_);
+    bends_ = bends_of(surface_, sources_);
     if (bends_.empty()) return plain("no path bends at a vertex");
     const std::vector<Index> chosen = samples(sources_);
     const SearchCounts plain_counts = count_plain(surface_, settings_, chosen, distance_, context_);
-    if (!forced() && near_work() > most_probing * plain_counts.plain_work() * static_cast<double>(sources_.size()))
+    if (!forced() && probing_is_dear(plain_counts.plain_work() * static_cast<double>(sources_.size())))
       return plain("to find out whether lists of direct paths pay would take too much of so few or so short searches");
+    if (distance_ < infinity)
+      if (auto near = bends_within(surface_, settings_, sources_, distance_, settings_.most_list_bytes, context_))
+        bends_ = std::move(*near);
+    if (bends_.empty()) return plain("no path bends at a vertex within the distance");
     return with_ground(plain_counts, chosen);
   }
 
@@ -89,12 +93,16 @@ class RowPlanner {
   /// Lists are made where they take no more of the work of plain searches: they take memory, and caches, too.
   static constexpr double worth_it = 0.85;
 
+  /// The same where near lists take more than usual: such meshes are rough, or vertices have very many faces.
+  static constexpr double most_unusual_probing = 0.1;
+
   bool forced() const { return settings_.rows == Rows::lists; }
   std::size_t fewest_sources() const { return forced() ? 1 : 64; }
-  /// The work of near lists, as SearchCounts::plain_work: from every vertex a search that passes a few half-edges for
-  /// each.
-  double near_work() const {
-    return 30 * 6.0 * DirectGround::near_count * static_cast<double>(surface_.vertex_count());
+  /// Whether near lists, which the estimate needs, take too much beside the work of plain searches: by what they take
+  /// on most meshes, and by samples.
+  bool probing_is_dear(double plain_work) const {
+    return usual_near_work(surface_) > most_probing * plain_work ||
+           near_lists_take_more(surface_, settings_, most_unusual_probing * plain_work, context_);
   }
 
   std::unique_ptr<PreparedSurface> with_ground(const SearchCounts& plain_counts, std::span<const Index> chosen) {
@@ -114,7 +122,7 @@ class RowPlanner {
 
   std::unique_ptr<PreparedSurface> with_lists(DirectGround ground) {
     auto lists = make_lists(surface_, settings_, ground, bends_, distance_, settings_.most_list_bytes, context_);
-    if (!lists) return plain("lists of direct paths are larger than estimated, too large for lists_memory");
+    if (!lists) return outgrown();
     context_.measure("lists_bytes", static_cast<double>(lists->bytes));
     std::vector<bool> is_source(surface_.vertex_count());
     for (const Index source : sources_) is_source[source] = true;
@@ -134,9 +142,17 @@ class RowPlanner {
     return nullptr;
   }
   std::unique_ptr<PreparedSurface> too_large(const std::string& size) {
-    return plain("lists of direct paths would take " + size + " MiB, lists_memory allows " +
-                 std::to_string(settings_.most_list_bytes >> 20));
+    return plain("lists of direct paths would take " + size + " MiB, lists_memory allows " + mebibytes_allowed());
   }
+
+  /// A line came before that told of lists, and time was lost on them, so this one says that they are gone.
+  std::unique_ptr<PreparedSurface> outgrown() {
+    context_.log(LogLevel::warning,
+                 "the lists of direct paths grew larger than estimated, beyond the " + mebibytes_allowed() +
+                     " MiB that lists_memory allows: they are given up, every row by a search of its own");
+    return nullptr;
+  }
+  std::string mebibytes_allowed() const { return std::to_string(settings_.most_list_bytes >> 20); }
 
   const Prepared& prepared_;
   const PackedMesh& surface_;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 #include "geodrome/run_context.hpp"
 #include "geodrome/solver_kit/packed_mesh.hpp"
@@ -43,6 +44,17 @@ struct RowEstimate {
 
 /// A few sources, spread evenly over those of a plan: so few that their searches cost next to nothing beside all.
 std::vector<Index> samples(std::span<const Index> sources);
+
+/// Returns the work of near lists on most meshes, in the units of SearchCounts: from every vertex a search that passes
+/// a few half-edges for each.
+inline double usual_near_work(const PackedMesh& surface) {
+  return 30 * 6.0 * DirectGround::near_count * static_cast<double>(surface.vertex_count());
+}
+/// Tells whether near lists would take more than some work, by what a few vertices take. Those beside a vertex of very
+/// many faces are counted apart, for what they take depends on it. Finding out takes `most_work` and one search at
+/// most. Throws Cancelled.
+bool near_lists_take_more(const PackedMesh& surface, const Settings& settings, double most_work,
+                          const RunContext& context);
 
 /// Averages over searches from samples, up to a distance. Throws Cancelled.
 SearchCounts count_plain(const PackedMesh& surface, const Settings& settings, std::span<const Index> samples,

@@ -37,10 +37,7 @@ void RowLabels::go_on(Index vertex) {
   ++counts_.settled;
   const DirectList& list = lists_[vertex];
   if (!list.for_any().empty()) relax_any(label.distance, list.for_any());
-  const std::span<const DirectPath> directed = list.directed();
-  const std::size_t before_end = std::min<std::size_t>(label.onward.count, directed.size() - label.onward.first);
-  relax(label.distance, directed.subspan(label.onward.first, before_end));
-  relax(label.distance, directed.first(label.onward.count - before_end));
+  for (const std::span<const DirectPath> paths : list.directed(label.onward)) relax(label.distance, paths);
 }
 
 void RowLabels::relax(double distance, std::span<const DirectPath> paths) {

@@ -62,6 +62,28 @@ TEST(RowChoice, TakesNoMoreMemoryThanAllowed) {
   EXPECT_THROW(load_solver("chen_han:rows=all"), OptionError);
 }
 
+/// The sample is one of the many sources on the terrain, whose paths are few.
+TEST(RowChoice, GivesListsUpThatOutgrowTheirEstimate) {
+  const MeshPtr sheet = shapes::small::plane_grid(60), hills = shapes::small::terrain(10, 1, 2);
+  std::vector<Triangle> rest;
+  for (Index f = 0; f < sheet->face_count(); ++f) {
+    const Vec3 p = (1.0 / 3) * (sheet->corners(f)[0] + sheet->corners(f)[1] + sheet->corners(f)[2]);
+    if (static_cast<int>(p.x) % 4 != 1 || static_cast<int>(p.y) % 4 != 1) rest.push_back(sheet->triangles()[f]);
+  }
+  const MeshPtr holes = shapes::small::make({sheet->positions().begin(), sheet->positions().end()}, rest);
+  const MeshPtr mesh = shapes::small::both(holes, hills);
+  std::vector<SurfacePoint> sources{mesh->at_vertex(0)};
+  for (Index i = 0; i < 30; ++i) sources.push_back(mesh->at_vertex(static_cast<Index>(holes->vertex_count()) + 3 * i));
+  const Planned planned(mesh, sources, infinity, "rows=lists,lists_memory=1");
+  EXPECT_FALSE(planned);
+  ASSERT_EQ(planned.lines().size(), 2U);
+  EXPECT_TRUE(planned.lines()[0].starts_with("rows by ")) << planned.lines()[0];
+  EXPECT_EQ(planned.lines()[1],
+            "the lists of direct paths grew larger than estimated, beyond the 1 MiB that lists_memory allows: they are "
+            "given up, every row by a search of its own");
+  EXPECT_TRUE(Planned(mesh, sources, infinity, "rows=lists,lists_memory=100"));
+}
+
 TEST(RowChoice, DoesNotDependOnTheOrderOfSources) {
   const MeshPtr mesh = shapes::small::bumpy_torus(20, 14, 0.15, 1);
   std::vector<SurfacePoint> all = all_vertices(*mesh);

@@ -52,6 +52,7 @@ class Planned {
 
   /// Whether there is something for the plan, and what was told.
   explicit operator bool() const { return planned_ != nullptr; }
+  const std::vector<std::string>& lines() const { return context_.lines; }
   std::string told() const { return context_.lines.empty() ? "" : context_.lines.back(); }
   const std::vector<SurfacePoint>& sources() const { return sources_; }
   const PreparedSurface& surface() const { return *planned_; }
