@@ -63,6 +63,36 @@ TEST_F(Interruption, KilledJobsResumeToTheSameBytes) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "d.npy.partial"));
 }
 
+/// Killed while the lists are made, and while rows are made of them, by one thread and by several.
+TEST_F(Interruption, KilledJobsByRowListsResumeToTheSameBytes) {
+  const std::string rough = (folder_ / "rough.ply").string();
+  const Outcome made = run_geodrome(folder_, {"shape", "noisy-sphere", "--mesh", "--faces", "2500", "-o", rough});
+  ASSERT_EQ(made.status, 0) << made.err;
+  const auto listed = [&](const std::string& out, const std::string& bounds, const char* threads) {
+    return std::vector<std::string>{"distances",
+                                    rough,
+                                    "-o",
+                                    (folder_ / out).string(),
+                                    "--bounds",
+                                    (folder_ / bounds).string(),
+                                    "--solver",
+                                    "chen_han:rows=lists",
+                                    "--threads",
+                                    threads,
+                                    "--max-distance",
+                                    "1.5",
+                                    "--resume"};
+  };
+  const Outcome whole = run_geodrome(folder_, listed("rows.npy", "below.npy", "1"));
+  ASSERT_EQ(whole.status, 0) << whole.err;
+  EXPECT_NE(whole.err.find("solver: rows by "), std::string::npos) << whole.err;
+  for (const auto after : {5ms, 300ms, 500ms}) interrupt(listed("d.npy", "l.npy", "2"), SIGKILL, after);
+  const Outcome last = run_geodrome(folder_, listed("d.npy", "l.npy", "4"));
+  ASSERT_EQ(last.status, 0) << last.err;
+  EXPECT_TRUE(read_bytes(folder_ / "d.npy") == read_bytes(folder_ / "rows.npy"));
+  EXPECT_TRUE(read_bytes(folder_ / "l.npy") == read_bytes(folder_ / "below.npy"));
+}
+
 TEST_F(Interruption, CtrlCEndsWith130AndLeavesThePartialAndNothingElse) {
   std::vector<std::string> arguments = job("d.npy");
   arguments.insert(arguments.end(),
