@@ -287,7 +287,7 @@ Block& Propagation::claimed(const Span& windows, const Block& block, Index edge)
 }
 
 void Propagation::pass_at_once(Block& block, Index edge) {
-  if (!direct_ && left_to_end(image_of(block.windows(), 0), edge)) return store_.release(block);
+  if (left_to_end(image_of(block.windows(), 0), edge)) return store_.release(block);
   surface_.for_each_across(edge, [&](Index half_edge, bool mirrored) {
     Block& own = wavefront_.copy_of(block, mirrored, surface_.length(edge));
     ++counts_.created;

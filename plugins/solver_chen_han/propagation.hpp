@@ -97,6 +97,7 @@ class Propagation : public VertexPropagation<Propagation, Step> {
   double along_edges_from(Index vertex) const {
     return direct_ && !direct_->passes(vertex) ? infinity : labels_.distance(vertex);
   }
+  bool may_be_left_to(Index vertex) const { return !direct_ || direct_->goes_on(vertex); }
   void lowered_along_edge(Index vertex, Index from, double) {
     if (direct_) note_exit_along_edge(vertex, from);
   }

@@ -49,8 +49,8 @@ struct PseudoSource {
 ///   face wait beyond a half-edge of it, `apex.half_edge`, in whose frame the point is. `to_end` is the length of the
 ///   half-edge less from.x, told apart from 0 where rounding would not;
 /// - `std::uint64_t carried() const`: how many lines it has carried across faces in this run;
-/// - optionally `polled`, `ended`, `is_to_wait`, `along_edges_from`, `seed_face`, `lowered_along_edge`,
-///   `lowered_straight` and `lowered_at_source` in place of those here.
+/// - optionally `polled`, `ended`, `is_to_wait`, `along_edges_from`, `may_be_left_to`, `seed_face`,
+///   `lowered_along_edge`, `lowered_straight` and `lowered_at_source` in place of those here.
 template <class Solver, class Step>
 class VertexPropagation {
  public:
@@ -98,6 +98,8 @@ class VertexPropagation {
   bool is_to_wait(Index vertex, const Label& label) {
     return label.corner == no_index || label.all_sides() || surface_.kind(vertex) != PackedMesh::VertexKind::smooth;
   }
+  /// Tells whether a vertex goes on in place of an image that lies on it (`left_to_end`).
+  bool may_be_left_to(Index /*vertex*/) const { return true; }
   /// Are called when a label was lowered by the path along an edge, by one straight from a source in a face, and by a
   /// source that is the vertex: for a solver whose answers are not the labels.
   void lowered_along_edge(Index /*vertex*/, Index /*from*/, double /*length*/) {}
@@ -226,6 +228,7 @@ bool VertexPropagation<Solver, Step>::left_to_end(const PseudoSource& image, Ind
   const bool at_end = std::abs(image.x) <= same_place, at_start = std::abs(image.x - length) <= same_place;
   if (-image.y > same_place || !(at_end || at_start)) return false;
   const Index vertex = surface_.from(at_end ? SurfaceMesh::next(edge) : edge);
+  if (!solver().may_be_left_to(vertex)) return false;
   if (labels_.distance(vertex) > image.sigma * (1 + rounding_share) + 4 * same_place) return false;
   widen(vertex, image.sigma, length);
   return true;

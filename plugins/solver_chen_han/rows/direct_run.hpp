@@ -63,6 +63,10 @@ class DirectRun {
   bool passes(Index vertex) const {
     return vertex == source_ || surface_.kind(vertex) == PackedMesh::VertexKind::smooth;
   }
+  /// Tells whether paths go on from a vertex to all sides, here or by its own list.
+  bool goes_on(Index vertex) const {
+    return vertex == source_ || surface_.kind(vertex) != PackedMesh::VertexKind::smooth;
+  }
   /// Tells whether a path that bends at the end of a window is straight but for rounding, and no way around a vertex.
   static bool is_straight(double length, double straight) { return length <= straight * (1 + 1e-6); }
 

@@ -6,6 +6,7 @@
 #include "tests/plugins/solver_chen_han/rows_fixture.hpp"
 #include "tests/support/same_bytes.hpp"
 #include "tests/support/stops_after.hpp"
+#include "tools/shapes/split_vertices.hpp"
 
 /// Rows by lists of direct paths are what plain searches tell, whatever the mesh, the plan and the request.
 namespace geodrome::test {
@@ -60,6 +61,35 @@ TEST(Rows, AreThoseOfPlainSearchesWhereVerticesAreNextToEachOther) {
         if (!planned) continue;  // no path bends
         EXPECT_LE(planned.worst(), row_rounding + apart) << apart << ", seed " << seed;
       }
+}
+
+/// Rows of a mesh some of whose vertices are split in two, against the distances before.
+void expect_same_after_splits(const MeshPtr& whole, std::size_t count, double gap, std::uint64_t seed) {
+  const MeshPtr mesh = share(shapes::split_vertices(*whole, count, gap, seed));
+  Planned planned(mesh), before(whole, all_vertices(*whole), infinity, "rows=plain");
+  if (!planned) return;  // no path bends
+  const std::size_t old = whole->vertex_count(), splits = mesh->vertex_count() - old;
+  for (Index v = 0; v < old; v += 7) {
+    std::vector<double> row = Planned::distances(planned.row(mesh->at_vertex(v)));
+    row.resize(old);
+    EXPECT_LE(worst_difference(Planned::distances(before.plain(whole->at_vertex(v))), row),
+              row_rounding + 2 * gap * static_cast<double>(splits))
+        << gap << ", seed " << seed << ", from " << v;
+  }
+}
+
+TEST(Rows, AreThoseBeforeVerticesWereSplitInTwo) {
+  for (const double gap : {0.0, 1e-16, 1e-15, 6e-15, 1e-12, 1e-9})
+    for (std::uint64_t seed = 1; seed <= 40; ++seed)
+      expect_same_after_splits(seed % 2 ? shapes::small::plane_grid(6) : shapes::small::terrain(5, 1.5, seed), 3 + seed,
+                               gap, seed);
+}
+
+/// Windows of a direct run went round a vertex in the place of its source without end here.
+TEST(Rows, EndWhereVerticesLieInThePlaceOfTheSource) {
+  expect_same_after_splits(shapes::small::terrain(7, 1.5, 100), 33, 1e-16, 100);
+  expect_same_after_splits(shapes::small::terrain(6, 1.5, 191), 54, 2e-16, 191);
+  expect_same_after_splits(shapes::small::terrain(7, 1.5, 415), 68, 1e-16, 415);
 }
 
 /// Faces at random among a few points: edges have many faces, and faces have copies.
