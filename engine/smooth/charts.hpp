@@ -3,6 +3,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,6 +34,11 @@ class SmoothCharts {
   double deviation(Index face) const { return deviation_[face]; }
   /// How far apart nodes are to lie: the mean length of the face's edges.
   double spacing(Index face) const { return spacing_[face]; }
+
+  /// A surface point as coordinates on a face, if that holds it.
+  std::optional<std::array<double, 3>> on_face(const SurfacePoint& point, Index face) const {
+    return common_.on_face(point, face);
+  }
 
   /// Replaces `pieces` by those of a path, without those that have no length. A piece along an edge lies in a face that
   /// is trusted if there is one, in the lowest of them. Throws NumericalError for a step that lies in no face.

@@ -39,11 +39,12 @@ inline double length_between(const SmoothPoint& p, const SmoothPoint& q) {
   return c * (1 + (2 * squares - piece::side(p.normal, q.normal) * ab) / 30 + 7 * ab * ab / 360);
 }
 
-/// The length with its derivatives. Precondition: the ends differ.
+/// The length with its derivatives; the second ones are those of a length whose normals turn evenly. Precondition: the
+/// ends differ.
 inline PieceLength moving_length(const SmoothPoint& p, const SmoothPoint& q) {
   const DualVec3 chord{q.position - p.position, -p.velocity, q.velocity, -p.acceleration, q.acceleration};
-  const DualVec3 from{p.normal, p.normal_velocity, {}, p.normal_acceleration, {}};
-  const DualVec3 to{q.normal, {}, q.normal_velocity, {}, q.normal_acceleration};
+  // How the normals' turning changes would count h^2 times what the chords do: it is left out.
+  const DualVec3 from{p.normal, p.normal_velocity, {}, {}, {}}, to{q.normal, {}, q.normal_velocity, {}, {}};
   const Dual c = sqrt(dot(chord, chord)), over = inverse(c);
   const Dual a = piece::angle(dot(from, chord) * over), b = piece::angle(dot(to, chord) * over);
   const Dual ab = a * b;

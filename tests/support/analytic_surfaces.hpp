@@ -125,12 +125,8 @@ class AnalyticSurface final : public SmoothSurface {
     Vector<Series> normal = unit(shape_.gradient(point));
     const auto [p, q, r] = mesh_->corners(place.at.face);
     if (dot(cross(q - p, r - p), pose_.direction(value(normal))) < 0) normal = Series(-1) * normal;
-    return {pose_.point(value(point)),
-            pose_.direction(value(normal)),
-            pose_.scale * pose_.direction(first(point)),
-            pose_.scale * pose_.direction(second(point)),
-            pose_.direction(first(normal)),
-            pose_.direction(second(normal))};
+    return {pose_.point(value(point)), pose_.direction(value(normal)), pose_.scale * pose_.direction(first(point)),
+            pose_.scale * pose_.direction(second(point)), pose_.direction(first(normal))};
   }
 
   MeshPtr mesh_;

@@ -20,11 +20,10 @@ struct SmoothPlace {
 /// The answer: a point of the smooth surface, and its derivatives by the length that `at` moves along `direction`.
 struct SmoothPoint {
   Vec3 position;
-  Vec3 normal;               ///< unit length, on the side of the face's own normal
-  Vec3 velocity;             ///< of the position
-  Vec3 acceleration;         ///< second derivative of the position
-  Vec3 normal_velocity;      ///< of the normal
-  Vec3 normal_acceleration;  ///< second derivative of the normal
+  Vec3 normal;           ///< unit length, on the side of the face's own normal
+  Vec3 velocity;         ///< of the position
+  Vec3 acceleration;     ///< second derivative of the position
+  Vec3 normal_velocity;  ///< of the normal
 };
 
 /// A smooth surface over the faces of a mesh: a chart a face, continuous across edges between trusted faces. Immutable,
@@ -48,8 +47,8 @@ class GEODROME_VISIBLE SmoothSurface {
 /// neither the call nor are held by the result, but for the mesh.
 struct SmoothTask {
   MeshPtr mesh;
-  const PointSample& sample;  ///< the whole sample, in places as `tangents` has them: `tangents.plane[i].origin`
-  const Tangents& tangents;   ///< of the sample; what it dropped is left out
+  const PointSample& sample;  ///< the whole sample, as it was given to the estimator
+  const Tangents& tangents;   ///< what the estimator made of it; what it dropped is left out
 };
 
 /// Extension (README.md, "Extensions") of a tangent estimator that knows more of the surface than its planes.

@@ -39,7 +39,7 @@ class Mover {
 TEST(PieceLength, IsExactOnASphereButForTheSixthPower) {
   const auto point = [](double angle) {
     const Vec3 p{std::cos(angle), std::sin(angle), 0};
-    return SmoothPoint{p, p, {}, {}, {}, {}};
+    return SmoothPoint{p, p, {}, {}, {}};
   };
   for (const double angle : {0.1, 0.2, 0.4}) {
     const double error = std::abs(length_between(point(0), point(angle)) / angle - 1);
@@ -50,13 +50,13 @@ TEST(PieceLength, IsExactOnASphereButForTheSixthPower) {
 
 TEST(PieceLength, CountsTheSidesThatTheNormalsPointTo) {
   const Vec3 p{1, 0, 0}, q{std::cos(0.3), std::sin(0.3), 0};
-  const double same = length_between({p, p, {}, {}, {}, {}}, {q, q, {}, {}, {}, {}});
-  EXPECT_EQ(length_between({p, p, {}, {}, {}, {}}, {q, -q, {}, {}, {}, {}}), same);
+  const double same = length_between({p, p, {}, {}, {}}, {q, q, {}, {}, {}});
+  EXPECT_EQ(length_between({p, p, {}, {}, {}}, {q, -q, {}, {}, {}}), same);
 }
 
 TEST(PieceLength, OfOnePointIsZero) {
   const Vec3 p{1, 0, 0};
-  EXPECT_EQ(length_between({p, p, {}, {}, {}, {}}, {p, p, {}, {}, {}, {}}), 0);
+  EXPECT_EQ(length_between({p, p, {}, {}, {}}, {p, p, {}, {}, {}}), 0);
 }
 
 TEST(PieceLength, HasTheDerivativesOfTheLength) {
