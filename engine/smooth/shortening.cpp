@@ -14,8 +14,9 @@ namespace {
 /// beyond that its chart knows little.
 constexpr double farthest_move = 1.5;
 
-/// A step that moves a node by more spacings than this is followed by another one, for the square of what is missing
-/// still counts: near conjugate points, a few paths in a hundred.
+/// Where no node moves by more spacings than this, its derivatives tell where it comes to lie, which changes the length
+/// by 1e-8 of it at most. Else the surface is asked, and another step follows, for the square of what is missing still
+/// counts: near conjugate points, a few paths in a hundred.
 constexpr double far_move = 0.25;
 constexpr int most_steps = 4;
 
@@ -39,6 +40,15 @@ double error_of(std::span<const SmoothPoint> points, std::span<const CurveNode> 
   for (std::size_t i = 1; i < points.size(); ++i)
     error += std::max(nodes[i - 1].deviation, nodes[i].deviation) * norm(points[i].normal - points[i - 1].normal);
   return error;
+}
+
+/// Where a node comes to lie that moves, by its derivatives.
+SmoothPoint moved(const SmoothPoint& node, double by) {
+  SmoothPoint result = node;
+  result.position = node.position + by * node.velocity + 0.5 * by * by * node.acceleration;
+  result.normal = node.normal + by * node.normal_velocity;
+  result.normal = result.normal / norm(result.normal);
+  return result;
 }
 
 }  // namespace
@@ -76,15 +86,15 @@ void Shortening::add(std::span<const SurfacePoint> path) {
   }
 }
 
-/// Asks for all nodes that may still move, and their ends.
-void Shortening::ask(std::vector<SmoothPoint>& answers) {
+/// Asks for all nodes of some sections.
+void Shortening::ask(std::span<Section* const> sections, std::vector<SmoothPoint>& answers) {
   places_.clear();
-  for (const Section* section : moving_)
+  for (const Section* section : sections)
     for (const CurveNode& node : part(nodes_, *section)) places_.push_back(node.place);
   answers_.resize(places_.size());
   charts_.surface().evaluate(places_, answers_);
   auto answer = answers_.begin();
-  for (const Section* section : moving_)
+  for (const Section* section : sections)
     for (SmoothPoint& point : part(answers, *section)) point = *answer++;
 }
 
@@ -107,6 +117,15 @@ bool Shortening::step(Section& section) {
   shift(section, 1);
   section.farthest = farthest;
   return true;
+}
+
+/// Finds where the nodes of some sections come to lie by their step.
+void Shortening::find_next() {
+  const auto near =
+      std::ranges::partition(moving_, [](const Section* section) { return section->farthest > far_move; });
+  ask({moving_.begin(), near.begin()}, next_);
+  for (const Section* section : near)
+    for (std::size_t i = section->first; i < section->end; ++i) next_[i] = moved(at_[i], moves_[i]);
 }
 
 /// Keeps a step if it made the curve shorter, else takes it back. Returns true if another one is worth its while.
@@ -151,11 +170,11 @@ std::span<const SmoothLength> Shortening::run() {
   moving_.clear();
   for (Section& section : sections_)
     if (section.smooth) moving_.push_back(&section);
-  ask(at_);
+  ask(moving_, at_);
   for (Section* section : moving_) section->length = length_of(part(at_, *section));
   for (int k = 0; k < most_steps && !moving_.empty(); ++k) {
     std::erase_if(moving_, [&](Section* section) { return !step(*section); });
-    ask(next_);
+    find_next();
     std::erase_if(moving_, [&](Section* section) { return !accept(*section); });
   }
   for (const Section& section : sections_)
@@ -164,13 +183,16 @@ std::span<const SmoothLength> Shortening::run() {
   return lengths_;
 }
 
-void Shortening::curve(std::size_t path, std::vector<SurfacePoint>& points, std::vector<Vec3>& positions) const {
+void Shortening::curve(std::size_t path, std::vector<SurfacePoint>& points, std::vector<Vec3>& positions) {
   const auto [begin, end] = std::ranges::equal_range(sections_, path, {}, &Section::path);
-  for (auto section = begin; section != end; ++section)
+  for (auto section = begin; section != end; ++section) {
+    Section* const one = &*section;
+    if (section->smooth) ask({&one, 1}, at_);  // where derivatives told before where a node lies
     for (std::size_t i = section->first; i < section->end; ++i) {
       points.push_back(section->smooth ? nodes_[i].place.at : flat_[i]);
       positions.push_back(position(*section, i));
     }
+  }
 }
 
 }  // namespace geodrome

@@ -41,7 +41,7 @@ class Shortening {
   std::span<const SmoothLength> run();
 
   /// Appends the curve of a path of the last run: its nodes, above `points` at `positions`.
-  void curve(std::size_t path, std::vector<SurfacePoint>& points, std::vector<Vec3>& positions) const;
+  void curve(std::size_t path, std::vector<SurfacePoint>& points, std::vector<Vec3>& positions);
 
  private:
   struct Section {
@@ -53,7 +53,8 @@ class Shortening {
   };
 
   void start_batch();
-  void ask(std::vector<SmoothPoint>& answers);
+  void ask(std::span<Section* const> sections, std::vector<SmoothPoint>& answers);
+  void find_next();
   void shift(const Section& section, double times);
   bool step(Section& section);
   bool accept(Section& section);
