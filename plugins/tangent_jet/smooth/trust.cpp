@@ -74,23 +74,30 @@ struct Patch {
   double deviation(const std::array<double, 3>& b) const;
 };
 
-/// The estimate at a place; infinite if the corners' surfaces are turned against each other.
+/// The estimate at a place: what the residuals let expect of the blend, or what the corners' surfaces disagree by, if
+/// that is more: where the sample is uneven, residuals say little of the sparse side. Infinite beyond the points that a
+/// quartic was fitted to, and if the corners' surfaces are turned against each other.
 double Patch::deviation(const std::array<double, 3>& b) const {
   const Vec3 point = b[0] * corner[0] + b[1] * corner[1] + b[2] * corner[2];
-  double sum = 0, weights = 0;
-  std::array<Vec3, 3> normal;
+  double expected = 0, apart = 0, weights = 0;
+  std::array<Vec3, 3> lifted, normal;
   for (int i = 0; i < 3; ++i) {
     if (b[i] == 0) continue;
     const Quartic& q = jet[i]->quartic;
+    if (distance(point, q.base) > jet[i]->radius) return infinity;
     const double x = dot(point - q.base, q.u), y = dot(point - q.base, q.v), weight = b[i] * b[i];
-    sum += weight * jet[i]->residual * jet[i]->leverage(x, y), weights += weight;
+    expected += weight * jet[i]->residual * jet[i]->leverage(x, y), weights += weight;
     const Height h = q.at(x, y);
+    lifted[i] = q.base + x * q.u + y * q.v + h.z * q.n;
     const Vec3 up = q.n - h.x * q.u - h.y * q.v;
     normal[i] = up / norm(up);
-    for (int k = 0; k < i; ++k)
-      if (b[k] > 0 && !(norm(cross(normal[i], normal[k])) < most_turned)) return infinity;
+    for (int k = 0; k < i; ++k) {
+      if (b[k] == 0) continue;
+      if (!(norm(cross(normal[i], normal[k])) < most_turned)) return infinity;
+      apart = std::max(apart, std::abs(jet[k]->quartic.above(lifted[i])));
+    }
   }
-  return sum / weights;
+  return std::max(expected / weights, apart);
 }
 
 }  // namespace

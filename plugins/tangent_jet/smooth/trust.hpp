@@ -9,11 +9,11 @@
 
 namespace geodrome {
 
-/// Estimates, per face, how far the blend of its corners' quartics is from the sampled surface: the largest of four
-/// places (the middle and those of the edges) of the residuals times the leverages of the corners, weighted as the
-/// blend is. Infinite where the corners do not show a smooth surface that the blend is nearer to than the face.
+/// Estimates, per face, how far the blend of its corners' quartics is from the sampled surface: the largest at four
+/// places, its middle and those of its edges, of what the residuals let expect there and what the corners disagree by.
+/// Infinite where the corners do not show a smooth surface that the blend is nearer to than the face.
 ///
-/// `jets`: one per vertex. `sigma`: the noise of the sample, 0 if none. O(faces).
+/// `jets`: one per vertex. `sigma`: the noise of the sample, 0 if none. O(V + F).
 std::vector<double> face_deviations(const SurfaceMesh& mesh, std::span<const QuarticFit> jets, double sigma);
 
 }  // namespace geodrome

@@ -18,10 +18,10 @@ struct JetPoints {
   JetPoints(const PointSample& sample, const Tangents& tangents);
 };
 
-/// Fits the quartic of a vertex to the points nearest to it, over its own tangent plane. Their number is doubled, from
-/// 32 to 512, while the residual does not grow with it, as that of noise does not; that of a clean smooth shape grows
-/// sixfold. Where it was doubled, and where the estimator found noise, the quartic has a constant. The residual is
-/// that of the raw points. `around` is a buffer.
-QuarticFit vertex_jet(const JetPoints& points, const Vec3& vertex, std::vector<Neighbour>& around);
+/// Fits the quartic of a vertex, over its own tangent plane, to the points within `reach`, but at least the nearest 32
+/// and at most 512. Their number is doubled while the residual does not grow with it, as that of noise does not; that
+/// of a clean smooth shape grows tenfold. Where it was doubled, and where the estimator found noise, the quartic has
+/// a constant. The residual is that of the raw points. `around` is a buffer.
+QuarticFit vertex_jet(const JetPoints& points, const Vec3& vertex, double reach, std::vector<Neighbour>& around);
 
 }  // namespace geodrome

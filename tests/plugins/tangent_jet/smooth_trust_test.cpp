@@ -70,6 +70,16 @@ TEST(SmoothTrust, DeviationTellsWhatIsLeftOfNoise) {
   }
 }
 
+TEST(SmoothTrust, DeviationHoldsWhereDenseAndSparsePointsMeet) {
+  // The density falls to a 900th, and decimation leaves edges that differ by as much as their square root.
+  const FittedSurface made = test::fitted(test::torus(8000, 300, 30));
+  const auto errors = errors_of(made, "torus");
+  EXPECT_GT(share_within(errors, 1), 0.7);
+  EXPECT_GT(share_within(errors, 4), 0.95);
+  EXPECT_GT(trusted_share(made), 0.7);
+  EXPECT_LT(test::quantile(errors.position, 0.5), 0.05 * test::quantile(errors.flat, 0.5));
+}
+
 TEST(SmoothTrust, WholeSmoothShapesAreTrusted) {
   for (const char* shape : {"torus", "ellipsoid", "sphere", "trefoil", "cut-sphere", "cut-torus", "swiss-roll"})
     EXPECT_EQ(trusted_share(test::fitted(shape, {.points = 8000})), 1) << shape;
