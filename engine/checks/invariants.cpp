@@ -61,6 +61,9 @@ class Checker {
     result.symmetry.expected = result.triangle.expected = std::isfinite(options.factor) && options.one_surface;
     result.euclid.expected = options.bounded;
     factor_ = std::isfinite(options.factor) ? options.factor : 1;
+    // Each distance that takes part may be off by the change.
+    const double change = result.scale > 0 ? options.change / result.scale : options.change;
+    result.symmetry.tolerance += (1 + factor_) * change, result.triangle.tolerance += (1 + 2 * factor_) * change;
   }
 
   /// Every entry of a row.

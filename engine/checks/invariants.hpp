@@ -33,6 +33,7 @@ struct InvariantOptions {
   bool one_surface = true;     ///< false if the surface changes with the source: they are not expected either
   bool bounded = true;         ///< false if nothing keeps distances from being below the straight line
   double smallest_weight = 1;  ///< of the faces: distances are at least this times the straight line
+  double change = 0;           ///< how far each is at most from distances that obey; in the units of the input
   bool float32 = false;        ///< how the entries are stored
   double radius = infinity;    ///< the cut-off beyond which entries are +inf
   std::uint64_t entries = std::uint64_t{1} << 22;  ///< sampled rows hold at most so many (at least 3 rows)

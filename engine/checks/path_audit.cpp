@@ -6,7 +6,7 @@
 #include "engine/checks/invariants.hpp"
 #include "engine/checks/rounding_scale.hpp"
 #include "engine/formats/number_text.hpp"
-#include "engine/search/distances.hpp"
+#include "engine/search/smooth_distances.hpp"
 #include "engine/surface/common_face.hpp"
 
 namespace geodrome {
@@ -65,6 +65,19 @@ std::vector<std::string> audit_path(const PreparedSolver& solver, const SurfaceM
     if (!same || path.distance - factor * ruled > slack || ruled - factor * path.distance > slack)
       differ("the distance", path.distance, "from the other end it is", ruled);
   }
+  return broken;
+}
+
+std::vector<std::string> audit_smooth_path(const PreparedSolver& solver, const SurfaceMesh& mesh,
+                                           const NamedPoint& from, const TargetList& to, const PathResult& path,
+                                           RunContext& context) {
+  PathResult flat = shortest_path(solver, mesh, from, to, context);
+  std::vector<std::string> broken = audit_path(solver, mesh, from, to, flat, context);
+  smooth_path(solver, from, to, flat);
+  if (flat.distance != path.distance || flat.length != path.length || flat.points != path.points)
+    broken.push_back("the path's length is " + number_text(path.length) + ", its distance " +
+                     number_text(path.distance) + ", but made again " + number_text(flat.length) + ", " +
+                     number_text(flat.distance));
   return broken;
 }
 

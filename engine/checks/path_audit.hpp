@@ -15,4 +15,10 @@ namespace geodrome {
 std::vector<std::string> audit_path(const PreparedSolver& solver, const SurfaceMesh& mesh, const NamedPoint& from,
                                     const TargetList& to, const PathResult& path, RunContext& context);
 
+/// Judges a path under a smooth metric: the path on the triangles by `audit_path`, of which this one is the shortened
+/// curve, measured again.
+std::vector<std::string> audit_smooth_path(const PreparedSolver& solver, const SurfaceMesh& mesh,
+                                           const NamedPoint& from, const TargetList& to, const PathResult& path,
+                                           RunContext& context);
+
 }  // namespace geodrome

@@ -30,7 +30,8 @@ RowAudit::RowAudit(const PreparedSolver& solver, const SourceSurfaces& surfaces,
   if (share_ > 0) chosen_ = audited(sources, max_distance);
 }
 
-void RowAudit::hear(std::uint64_t source, const SourceSurface& on, std::span<const double> vertices) {
+void RowAudit::hear(std::uint64_t source, const SourceSurface& on, std::span<const double> vertices,
+                    std::span<const double> row) {
   if (share_ <= 0) return;
   const double factor = solver_.plugin.factor;
   const bool promised = std::isfinite(factor) && solver_.states_factor_at(on.source.place);
@@ -40,11 +41,23 @@ void RowAudit::hear(std::uint64_t source, const SourceSurface& on, std::span<con
     found = audit_vertices(*on.mesh, vertices, factor, max_distance_ - on.source.start, {&from, 1},
                            "source " + on.source.label);
   const std::lock_guard lock(mutex_);
-  if (std::ranges::find(chosen_, source) != chosen_.end()) heard_[source].assign(vertices.begin(), vertices.end());
+  if (std::ranges::find(chosen_, source) != chosen_.end()) {
+    heard_[source].assign(vertices.begin(), vertices.end());
+    rows_[source].assign(row.begin(), row.end());
+  }
   result_.searches += promised;
   // Of searches that are as bad the first in the list, whichever thread was faster.
   if (found.worst > worst_search_.worst || (found.worst == worst_search_.worst && source < worst_source_))
     worst_search_ = found, worst_source_ = source;
+}
+
+std::vector<std::vector<double>> RowAudit::heard_rows() const {
+  std::vector<std::vector<double>> rows;
+  for (const std::size_t source : chosen_) {
+    const auto found = rows_.find(source);
+    rows.push_back(found == rows_.end() ? std::vector<double>{} : found->second);
+  }
+  return rows;
 }
 
 void RowAudit::judge_row(std::size_t source, std::span<const double> row, double rounding, std::uint64_t seed,
@@ -71,7 +84,7 @@ RowsAudit RowAudit::judge(std::span<const std::vector<double>> rows, double roun
   const Stopwatch watch;
   if (chosen_.empty()) result_.found.not_audited = share_ <= 0 ? "switched off" : "no source lies on the surface";
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    judge_row(chosen_[k], rows[k], rounding, seed + k, context);
+    if (!rows[k].empty()) judge_row(chosen_[k], rows[k], rounding, seed + k, context);
     context.throw_if_cancelled();
     context.progress((k + 1.0) / static_cast<double>(chosen_.size()));
   }

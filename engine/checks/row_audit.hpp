@@ -32,8 +32,14 @@ class RowAudit {
   /// The places of the sources whose rows `judge` wants.
   std::span<const std::size_t> sources() const noexcept { return chosen_; }
 
-  /// What the search from a source found at the vertices, without the start distance. Thread-safe. O(F).
-  void hear(std::uint64_t source, const SourceSurface& on, std::span<const double> vertices);
+  /// What the search from a source found at the vertices, without the start distance, and the row that was read from
+  /// it. Thread-safe. O(F).
+  void hear(std::uint64_t source, const SourceSurface& on, std::span<const double> vertices,
+            std::span<const double> row);
+
+  /// The rows of `sources()` that were heard, in place of those that were given where these are smooth; one that was
+  /// not heard is empty, and is left out by `judge`.
+  std::vector<std::vector<double>> heard_rows() const;
 
   /// `rows`: as they were given, of `sources()`; `rounding`: how far storing an entry may change it, relative to it.
   /// Searches that were not heard are repeated. Throws what the solver throws.
@@ -49,8 +55,8 @@ class RowAudit {
   double max_distance_, share_;
   std::vector<std::size_t> chosen_;
   std::mutex mutex_;
-  std::map<std::size_t, std::vector<double>> heard_;  // of the chosen sources
-  DistanceAudit worst_search_;                        // of all that were heard
+  std::map<std::size_t, std::vector<double>> heard_, rows_;  // of the chosen sources: at vertices, and their rows
+  DistanceAudit worst_search_;                               // of all that were heard
   std::uint64_t worst_source_ = std::numeric_limits<std::uint64_t>::max();
   RowsAudit result_;
 };

@@ -31,6 +31,8 @@ constexpr RemedySentence sentences[] = {
     {"query.project_or", "{0}, or leave `query` at project"},
     {"query.project_or_points", "leave `query` at project, or set `read.as` to points to take the vertices"},
     {"query.insert_or_project", "set `query` to insert, or leave it at project"},
+    {"metric.flat", "set `metric` to flat"},
+    {"metric.flat_or_estimator", "choose a `tangent` estimator that does, as jet, or set `metric` to flat"},
     {"varied.syntax", "write STAGE=A,B[:k=v,...] in `varied`, e.g. solver=chen_han,cgal"},
     {"varied.only", "name all choices in `varied`"},
     {"varied.solver_or_points", "vary the solver, or set `read.as` to points to take the vertices as a sample"},
@@ -105,6 +107,9 @@ Remedy default_rule() { return made(row("query.project")); }
 Remedy default_rule_or(std::string otherwise) { return made(row("query.project_or"), {std::move(otherwise)}); }
 Remedy default_rule_or_points() { return made(row("query.project_or_points")); }
 Remedy insertion_or_default_rule() { return made(row("query.insert_or_project")); }
+
+Remedy flat_metric() { return made(row("metric.flat")); }
+Remedy flat_metric_or_other_estimator() { return made(row("metric.flat_or_estimator")); }
 
 Remedy varied_syntax() { return made(row("varied.syntax")); }
 Remedy varied_only() { return made(row("varied.only")); }

@@ -42,6 +42,10 @@ Remedy default_rule_or(std::string otherwise);  ///< `otherwise` is what else he
 Remedy default_rule_or_points();                ///< for a rule that needs a sample, and a mesh
 Remedy insertion_or_default_rule();             ///< for a rule that has no paths
 
+// Metrics
+Remedy flat_metric();                    ///< for what is not measured on a smooth surface
+Remedy flat_metric_or_other_estimator();  ///< for a tangent estimator that fits none
+
 // Choices of plugins
 Remedy varied_syntax();            ///< for choices that cannot be read
 Remedy varied_only();              ///< for a stage that is both chosen and varied

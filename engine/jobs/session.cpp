@@ -6,6 +6,8 @@
 
 #include "engine/checks/distance_audit.hpp"
 #include "engine/checks/path_audit.hpp"
+#include "engine/formats/number_text.hpp"
+#include "engine/formats/remedies.hpp"
 #include "engine/jobs/check.hpp"
 #include "engine/jobs/pairs/distances.hpp"
 #include "engine/jobs/session_state.hpp"
@@ -60,6 +62,14 @@ void check_starts(std::span<const NamedPoint> sources) {
                         std::to_string(start));
 }
 
+/// The first place where two lists differ; their length if they do nowhere.
+template <class Differs>
+std::size_t first_that(Differs&& differs, std::span<const Distance> a, std::span<const Distance> b) {
+  std::size_t j = 0;
+  while (j < a.size() && !differs(a[j], b[j])) ++j;
+  return j;
+}
+
 void check_rows(const RowSet& rows, std::size_t sources) {
   if (rows.size() == 0) return;
   if (const std::uint64_t last = rows[rows.size() - 1]; last >= sources)
@@ -93,7 +103,7 @@ void Session::Impl::make_rows(std::span<const NamedPoint> sources, std::span<con
   RowMaker maker(solver, surfaces, sources, options.max_distance, settings.seed, observer, std::move(extras));
   const unsigned threads = thread_count(settings);
   StageContext rows = context("distances", threads);
-  const std::optional<RowPlan> plan = plan_rows(plugin, options.rule, sources, options.max_distance);
+  const std::optional<RowPlan> plan = plan_rows(solver, options.rule, sources, options.max_distance);
   const bool needed = plan && !missing_rows(wanted, sink).empty();
   compute_rows(wanted, needed ? planned(*plan) : solver, maker, sink, threads, rows);
 }
@@ -189,6 +199,7 @@ void Session::distances(std::span<const NamedPoint> sources, std::span<const Nam
 BoundedDistances Session::bounded_distances(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                             const DistanceOptions& options) const {
   check_bounds_rule(options.rule);
+  check_bounds_metric(impl_->settings.metric);
   demand_lower_bounds(impl_->plugin);
   const std::size_t count = targets.size();
   std::vector<double> both(2 * sources.size() * count);
@@ -209,14 +220,16 @@ std::vector<Distance> Session::nearest(std::span<const NamedPoint> sources, std:
   check_starts(sources);
   check_provides(impl_->plugin.info, ProjectionRule::project, sources, targets, max_distance);
   StageContext context = impl_->context("nearest", 1);
-  return nearest_distances(impl_->prepared(), sources, TargetList({targets.begin(), targets.end()}, surface()),
-                           max_distance, context);
+  return measured_nearest(impl_->prepared(), sources, TargetList({targets.begin(), targets.end()}, surface()),
+                          max_distance, context)
+      .distances;
 }
 
 PathResult Session::path(const NamedPoint& from, const NamedPoint& to, ProjectionRule rule) const {
   PathResult path;
   impl_->on_path(from, to, rule, [&](const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
     path = shortest_path(solver, *on.mesh, on.source, *on.targets, context);
+    if (solver.smooth) smooth_path(solver, on.source, *on.targets, path);
   });
   path.from_off_surface = from.off_surface, path.to_off_surface = to.off_surface;
   return path;
@@ -232,15 +245,28 @@ std::vector<std::string> Session::audit_nearest(std::span<const NamedPoint> sour
   if (!(share > 0 && share <= 1)) throw OptionError("the audit's share must be above 0, up to 1");
   const TargetList list({targets.begin(), targets.end()}, surface());
   StageContext context = impl_->context("audit", 1);
-  return broken_promises(audit_distances(impl_->prepared(), *surface().mesh, {sources, list, nearest, max_distance},
-                                         share, impl_->settings.seed, context));
+  const PreparedSolver& solver = impl_->prepared();
+  MeasuredNearest flat;
+  if (solver.smooth) {
+    flat = measured_nearest(solver, sources, list, max_distance, context);
+    const auto differs = [](const Distance& a, const Distance& b) {
+      return a.source != b.source || !(a.value == b.value || (std::isnan(a.value) && std::isnan(b.value)));
+    };
+    if (const std::size_t j = first_that(differs, nearest, flat.distances); j < nearest.size())
+      return {"target " + targets[j].label + " is " + number_text(nearest[j].value) + " away, measured again " +
+              number_text(flat.distances[j].value)};
+    nearest = flat.flat, max_distance = flat.radius;
+  }
+  return broken_promises(audit_distances(solver, *surface().mesh, {sources, list, nearest, max_distance}, share,
+                                         impl_->settings.seed, context));
 }
 
 std::vector<std::string> Session::audit_path(const NamedPoint& from, const NamedPoint& to, const PathResult& path,
                                              ProjectionRule rule) const {
   std::vector<std::string> broken;
   impl_->on_path(from, to, rule, [&](const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
-    broken = geodrome::audit_path(solver, *on.mesh, on.source, *on.targets, path, context);
+    broken = solver.smooth ? audit_smooth_path(solver, *on.mesh, on.source, *on.targets, path, context)
+                           : geodrome::audit_path(solver, *on.mesh, on.source, *on.targets, path, context);
   });
   return broken;
 }

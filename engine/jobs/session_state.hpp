@@ -21,7 +21,8 @@ class SessionState {
       : settings(std::move(settings)),
         observer(observer),
         host(this->settings.plugin_path),
-        plugin(load_solver(host, this->settings.stages.solver, demands)) {}
+        plugin(load_solver(host, this->settings.stages.solver,
+                           this->settings.metric == Metric::smooth ? demands | Provides::paths : demands)) {}
 
   /// Runs stages 1 to 4 on a file or an Input. A sample that a stage refuses is kept in `start`: see
   /// `throw_if_refused`.
@@ -33,7 +34,10 @@ class SessionState {
   /// The solver with the surface prepared: by the first call, or the next one if that throws.
   const PreparedSolver& prepared() {
     const std::lock_guard lock(preparing_);
-    if (!solver_.prepared) solver_ = prepare_solver(plugin, start.surface().mesh, host, settings, observer);
+    if (solver_.prepared) return solver_;
+    PreparedSolver solver = prepare_solver(plugin, start.surface().mesh, host, settings, observer);
+    solver.smooth = metric_of(start.surface());
+    solver_ = std::move(solver);
     return solver_;
   }
 
@@ -55,7 +59,7 @@ class SessionState {
   const ReadyOracle& oracle(const std::filesystem::path& index = {}) {
     const std::lock_guard lock(building_);
     if (oracle_.oracle) return oracle_;
-    demand_pair_queries(plugin.info, host);
+    demand_pair_queries(plugin.info, host, settings.metric);
     oracle_ = ready_oracle(*start.surface().mesh, prepared(), index, settings, observer);
     return oracle_;
   }

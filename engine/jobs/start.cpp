@@ -8,6 +8,7 @@
 #include "engine/jobs/part.hpp"
 #include "engine/report/off_surface_text.hpp"
 #include "engine/search/prepared_solver.hpp"
+#include "engine/surface/smooth_fit.hpp"
 
 namespace geodrome {
 
@@ -112,6 +113,7 @@ JobStart start_quietly(Input input, const PluginHost& host, const RunSettings& s
   const bool of_part = settings.part == Part::largest;
   if (of_part && opened.input.kind == InputKind::mesh)
     throw OptionError("a part is of a point sample: a mesh is taken as it is", remedies::whole_or_points());
+  if (settings.metric == Metric::smooth) load_smooth_estimator(host, settings);
   SurfaceAttempt attempt = try_surface(opened.input, host, settings, observer);
   std::optional<FoundPart> part;
   if (attempt.surface.sample && (of_part || attempt.refusal))
@@ -122,6 +124,10 @@ JobStart start_quietly(Input input, const PluginHost& host, const RunSettings& s
   } else {
     start.sample = report_on(opened.input, attempt, part, of_part, factor, settings.seed);
     opened.surface = std::move(attempt.surface), opened.refusal = std::move(attempt.refusal);
+  }
+  if (settings.metric == Metric::smooth && !opened.refusal) {
+    opened.surface.smooth = fit_smooth(opened.surface, {opened.input.positions}, host, settings, observer);
+    settle_places(opened.surface);
   }
   opened.surface_seconds = watch.seconds();
   return start;

@@ -12,9 +12,25 @@ namespace geodrome {
 
 namespace {
 
+using geodrome::to_json;  // the overloads below would hide them
+
 Json stages_json(const std::vector<StageRecord>& stages) {
   Json json = Json::array();
   for (const StageRecord& stage : stages) json.push_back(to_json(stage));
+  return json;
+}
+
+/// What smooth distances claim, and what not.
+constexpr const char* smooth_caveat =
+    "the length of a curve on the fitted surface, to fourth order in the spacing of its nodes: no upper bound of the "
+    "distance on it, and not below the straight line; the shortest path on the triangles is followed, so that near a "
+    "cut locus the other one of two ways may be shorter; where no surface is trusted the way is flat";
+
+Json to_json(const FittedSurface& fitted) {
+  Json json = geodrome::to_json(fitted.record);
+  json["trusted_faces"] = fitted.trusted_faces;
+  json["mean_deviation"] = to_json(fitted.mean_deviation),
+  json["largest_deviation"] = to_json(fitted.largest_deviation);
   return json;
 }
 
@@ -48,6 +64,7 @@ Json settings_json(const RunSettings& settings) {
             {"seed", settings.seed},
             {"threads", thread_count(settings)}};
   if (settings.part == Part::largest) json["part"] = "largest";
+  if (settings.metric == Metric::smooth) json["metric"] = "smooth", json["metric_caveat"] = smooth_caveat;
   return json;
 }
 
@@ -57,6 +74,7 @@ void add_surface(Json& json, const Opened& opened, const std::optional<SampleRep
   if (sample) json.update(to_json(*sample));
   json["surface"]["findings"] = to_json(opened.surface.findings);
   json["stages"] = stages_json(opened.surface.stages);
+  if (opened.surface.smooth) json["smooth_surface"] = to_json(*opened.surface.smooth);
 }
 
 void add_provenance(Json& json, const Opened& opened, const std::optional<SampleReport>& sample,

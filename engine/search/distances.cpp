@@ -78,13 +78,14 @@ void throw_no_distance(double value, const std::string& whose) {
 
 const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
                                     const TargetList& targets, double max_distance, RunContext& context,
-                                    std::span<double> row) {
+                                    std::span<double> row, Keep keep) {
   // With a single source its start distance only shifts the row, so no solver needs to know of it.
   const double radius = max_distance - source.start;
   const ShortestPathMap* map = nullptr;
   if (source.place.state == Place::State::on_surface && radius >= 0) {
     const Source from{source.place.at, 0};
-    map = &run_search(solver, search, {&from, 1}, {.radius = radius, .targets = targets.points()}, context);
+    const Request request{.radius = radius, .targets = targets.points(), .keep = keep};
+    map = &run_search(solver, search, {&from, 1}, request, context);
   }
   cross_boundary(solver.plugin.info, [&] { read_row(map, source, targets, max_distance, row); });
   return map;
@@ -92,15 +93,15 @@ const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search
 
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
                                         const TargetList& targets, double max_distance, RunContext& context,
-                                        const WatchNearest& watch) {
+                                        const WatchNearest& watch, Keep keep) {
   if (std::ranges::any_of(sources, [](const NamedPoint& source) { return source.start > 0; }))
     demand(solver.plugin.info, Provides::start_distances);
   const DistanceRule rule{targets.bounded(), max_distance};
   const Starts starts = starts_of(sources);
   const auto search = make_search(solver);
   const ShortestPathMap* map = nullptr;
-  if (!starts.sources.empty())
-    map = &run_search(solver, *search, starts.sources, {.radius = max_distance, .targets = targets.points()}, context);
+  const Request request{.radius = max_distance, .targets = targets.points(), .keep = keep};
+  if (!starts.sources.empty()) map = &run_search(solver, *search, starts.sources, request, context);
   std::vector<Distance> nearest;
   for (const NamedPoint& target : targets.named()) {
     if (!target.place.has_distances())

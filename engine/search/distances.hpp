@@ -46,22 +46,22 @@ struct DistanceRule {
   }
 };
 
-/// Fills one row: the distances of all targets from one source. Returns the map it was read from, which started at 0,
-/// valid until the next run of the search; null if none was needed. Throws what the solver throws, NumericalError for
-/// what is no distance.
+/// Fills one row: the distances of all targets from one source, on the triangles. Returns the map it was read from,
+/// which started at 0, valid until the next run of the search; null if none was needed. Throws what the solver throws,
+/// NumericalError for what is no distance.
 const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
                                     const TargetList& targets, double max_distance, RunContext& context,
-                                    std::span<double> row);
+                                    std::span<double> row, Keep keep = Keep::targets);
 
 /// Is told the map of the search from all sources, null if no search was needed, and what became of it.
 using WatchNearest = std::function<void(const ShortestPathMap* map, std::span<const Distance> nearest)>;
 
-/// One search from all sources: the distance of every target from the source that is nearest, and which that is; NaN
-/// for a target that has no distances. Throws as `distance_row`, NumericalError for a reach that its distance
-/// contradicts, CapabilityError if a start distance is wanted that the solver does not provide.
+/// One search from all sources, on the triangles: the distance of every target from the source that is nearest, and
+/// which that is; NaN for a target that has no distances. Throws as `distance_row`, NumericalError for a reach that its
+/// distance contradicts, CapabilityError if a start distance is wanted that the solver does not provide.
 std::vector<Distance> nearest_distances(const PreparedSolver& solver, std::span<const NamedPoint> sources,
                                         const TargetList& targets, double max_distance, RunContext& context,
-                                        const WatchNearest& watch = {});
+                                        const WatchNearest& watch = {}, Keep keep = Keep::targets);
 
 /// The distance of two places on the surface by a search from the one that stops at the other where the solver can.
 /// Throws as `distance_row`. Precondition: the solver takes a source and answers there.
@@ -72,9 +72,9 @@ double searched_distance(const PreparedSolver& solver, Search& search, const Pla
 /// called inside `cross_boundary`. Throws as `distance_row`.
 double pair_distance(const PairOracle& oracle, const NamedPair& pair, std::size_t number);
 
-/// The shortest path on `mesh` from `from`, without its start distance, to the only target. Its distance is the
-/// solver's, or the length of the path if that is shorter and the solver does not state that both are one. Throws as
-/// `distance_row` and `trace_path`. Precondition: the solver provides paths.
+/// The shortest path on the triangles of `mesh` from `from`, without its start distance, to the only target. Its
+/// distance is the solver's, or the length of the path if that is shorter and the solver does not state that both are
+/// one. Throws as `distance_row` and `trace_path`. Precondition: the solver provides paths.
 PathResult shortest_path(const PreparedSolver& solver, const SurfaceMesh& mesh, const NamedPoint& from,
                          const TargetList& to, RunContext& context);
 

@@ -19,6 +19,12 @@ void demand_lower_bounds(const Plugin<ShortestPathSolver>& solver) {
                           remedies::solver_with_bounds());
 }
 
+void check_bounds_metric(Metric metric) {
+  if (metric == Metric::smooth)
+    throw OptionError("lower bounds are known of distances on the triangles, not of smooth ones",
+                      remedies::flat_metric());
+}
+
 double lower_bound(const PreparedSolver& solver, const ShortestPathMap& map, bool source_has_factor, const Place& to,
                    double found, double radius) {
   if (const StatedBounds stated(solver.plugin); stated) {

@@ -18,6 +18,9 @@ bool has_lower_bounds(const Plugin<ShortestPathSolver>& solver);
 /// Throws CapabilityError, naming the solver, unless it gives them.
 void demand_lower_bounds(const Plugin<ShortestPathSolver>& solver);
 
+/// Throws OptionError for a metric without lower bounds.
+void check_bounds_metric(Metric metric);
+
 /// The lower bounds that a solver states by its extension: a certified interval for every vertex.
 class StatedBounds {
  public:

@@ -26,9 +26,9 @@ void keep_each_once(std::vector<SurfacePoint>& points) {
 
 }  // namespace
 
-std::optional<RowPlan> plan_rows(const Plugin<ShortestPathSolver>& solver, ProjectionRule rule,
-                                 std::span<const NamedPoint> sources, double max_distance) {
-  if (rule != ProjectionRule::project || solver.extension<ManySearches>() == nullptr) return std::nullopt;
+std::optional<RowPlan> plan_rows(const PreparedSolver& solver, ProjectionRule rule, std::span<const NamedPoint> sources,
+                                 double max_distance) {
+  if (rule != ProjectionRule::project || solver.smooth || !solver.plugin.extension<ManySearches>()) return std::nullopt;
   RowPlan plan;
   for (const NamedPoint& source : sources) {
     const double radius = max_distance - source.start;

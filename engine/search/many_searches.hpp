@@ -24,10 +24,10 @@ struct RowPlan {
 };
 
 /// Plans the rows of a job, all of them: whichever are missing, their distances are the same bytes. Returns nothing
-/// where the solver need not be asked: it has no such extension, sources have surfaces of their own, or fewer than two
-/// places are searched from. O(n log n).
-std::optional<RowPlan> plan_rows(const Plugin<ShortestPathSolver>& solver, ProjectionRule rule,
-                                 std::span<const NamedPoint> sources, double max_distance);
+/// where the solver need not be asked: it has no such extension, sources have surfaces of their own, paths are wanted
+/// for a smooth metric, or fewer than two places are searched from. O(n log n).
+std::optional<RowPlan> plan_rows(const PreparedSolver& solver, ProjectionRule rule, std::span<const NamedPoint> sources,
+                                 double max_distance);
 
 /// What a solver made of a plan, for the report.
 struct PlanRecord {

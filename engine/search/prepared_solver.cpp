@@ -4,6 +4,7 @@
 #include "engine/formats/remedies.hpp"
 #include "engine/formats/text.hpp"
 #include "engine/host/stage_context.hpp"
+#include "engine/smooth/settling.hpp"
 
 namespace geodrome {
 
@@ -78,8 +79,28 @@ PreparedSolver prepare_solver(Plugin<ShortestPathSolver> plugin, const MeshPtr& 
   return solver;
 }
 
+std::shared_ptr<const SmoothMetric> metric_of(const PlacedSurface& surface) {
+  if (!surface.smooth) return nullptr;
+  return std::make_shared<const SmoothMetric>(
+      SmoothMetric{surface.smooth->record.plugin, SmoothCharts(surface.mesh, surface.smooth->surface)});
+}
+
+void settle_places(PlacedSurface& surface) {
+  const auto metric = metric_of(surface);
+  std::vector<SettledPoint> points;
+  const auto each = [&](auto&& use) {
+    for (Place& place : surface.places)
+      if (place.state == Place::State::on_surface && place.vertex == no_index) use(place);
+  };
+  each([&](const Place& place) { points.push_back({place.position, place.at}); });
+  cross_boundary(metric->plugin, [&] { settle(metric->charts, points); });
+  auto point = points.begin();
+  each([&](Place& place) { place.at = (point++)->at; });
+}
+
 PreparedSolver prepared_on(const PreparedSolver& solver, const MeshPtr& mesh, RunContext& context) {
   PreparedSolver result = solver;
+  result.smooth = nullptr;  // it is of the other surface
   result.prepared = solver.plugin.call([&](const ShortestPathSolver& stage) { return stage.prepare(mesh, context); });
   if (!result.prepared) throw PluginError(solver.plugin.info.full_name() + ": prepared nothing");
   return result;

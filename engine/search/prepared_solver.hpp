@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "engine/smooth/smooth_metric.hpp"
 #include "geodrome/engine/pipeline.hpp"
 
 namespace geodrome {
@@ -14,6 +15,7 @@ struct PreparedSolver {
   Plugin<ShortestPathSolver> plugin;
   std::shared_ptr<const PreparedSurface> prepared;
   StageRecord record;
+  std::shared_ptr<const SmoothMetric> smooth;  ///< what rows, nearest sources and paths end up on; null: the triangles
 
   bool provides(Provides bit) const { return has(plugin.info.provides, bit); }
 
@@ -39,7 +41,13 @@ std::string solvers_with(Provides wanted, const PluginHost& host);
 PreparedSolver prepare_solver(Plugin<ShortestPathSolver> plugin, const MeshPtr& mesh, const PluginHost& host,
                               const RunSettings& settings, Observer& observer);
 
-/// The solver with another surface prepared, by the same plugin, whose needs are not checked again.
+/// What smooth distances on a surface are measured on; null if they are flat there. O(V + F).
+std::shared_ptr<const SmoothMetric> metric_of(const PlacedSurface& surface);
+
+/// Moves the places of rows that are no vertices to where the smooth surface is closest to them (`settle`).
+void settle_places(PlacedSurface& surface);
+
+/// The solver with another surface prepared, flat, by the same plugin, whose needs are not checked again.
 PreparedSolver prepared_on(const PreparedSolver& solver, const MeshPtr& mesh, RunContext& context);
 
 /// A new search of the prepared surface.

@@ -41,6 +41,9 @@ void check_rule(ProjectionRule rule, const Opened& opened, std::span<const Named
   if (std::ranges::any_of(sources, [](const NamedPoint& source) { return source.row == no_index; }))
     throw OptionError(option + " inserts points of the sample, and a source names a place that is none",
                       remedies::default_rule_or("name sources by their rows"));
+  if (opened.surface.smooth)
+    throw OptionError(option + " has a surface for each source, and smooth distances are measured on one for all",
+                      remedies::default_rule_or("measure on the triangles"));
   if (!opened.surface.inserter && opened.surface.part)
     throw CapabilityError(option + " inserts points into a surface as the reconstructor made it, not into a part of it",
                           remedies::default_rule());

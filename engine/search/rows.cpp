@@ -17,7 +17,8 @@ RowMaker::RowMaker(const PreparedSolver& solver, const SourceSurfaces& surfaces,
       max_distance_(max_distance),
       quiet_(observer),
       context_(ShortestPathSolver::stage, quiet_, 1, seed),
-      extras_(std::move(extras)) {}
+      extras_(std::move(extras)),
+      smooth_(solver.smooth ? sources.size() : 0) {}
 
 void RowMaker::make(Search& search, std::uint64_t i, std::span<double> row) {
   const SourceSurface on = surfaces_.of(sources_[i]);
@@ -31,14 +32,25 @@ void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64
                        std::span<double> row) {
   const std::size_t targets = on.targets->size();
   const std::span<double> distances = row.first(targets);
-  const ShortestPathMap* map = distance_row(solver, search, on.source, *on.targets, max_distance_, context_, distances);
+  const bool smooth = solver.smooth != nullptr;
+  const double radius = smooth ? farther_for_smooth * max_distance_ : max_distance_;
+  const ShortestPathMap* map = distance_row(solver, search, on.source, *on.targets, radius, context_, distances,
+                                            smooth ? Keep::map : Keep::targets);
   if (extras_.bounds)
     cross_boundary(solver.plugin.info, [&] {
       read_lower_bounds(solver, map, on.source, *on.targets, max_distance_, distances, row.subspan(targets));
     });
   if (!map) return;
   counters_.add(solver_, *map);
-  if (extras_.watch) extras_.watch(i, on, *map);
+  if (extras_.watch) extras_.watch(i, on, *map, distances);
+  if (smooth) smooth_[i] = smooth_row(solver, *map, on.source, *on.targets, max_distance_, distances);
+}
+
+std::optional<SmoothFigures> RowMaker::smooth() const {
+  if (!solver_.smooth) return std::nullopt;
+  SmoothFigures sum;
+  for (const SmoothFigures& row : smooth_) sum.add(row);
+  return sum;
 }
 
 std::map<std::string, std::uint64_t> RowMaker::insertions() const {

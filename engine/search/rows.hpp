@@ -10,6 +10,7 @@
 
 #include "engine/host/stage_context.hpp"
 #include "engine/search/counter_sum.hpp"
+#include "engine/search/smooth_distances.hpp"
 #include "engine/search/source_surface.hpp"
 #include "geodrome/engine/row_set.hpp"
 #include "geodrome/engine/row_sink.hpp"
@@ -28,9 +29,10 @@ class WithoutProgress final : public Observer {
   Observer& observer_;
 };
 
-/// Is told of the search of source `i`: its surface, and the map, which started at 0. Called from several threads at
-/// once.
-using WatchRows = std::function<void(std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map)>;
+/// Is told of the search of source `i`: its surface, the map, which started at 0, and the row on the triangles. Called
+/// from several threads at once.
+using WatchRows = std::function<void(std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map,
+                                     std::span<const double> flat)>;
 
 /// What is wanted beside the distances.
 struct RowExtras {
@@ -38,8 +40,8 @@ struct RowExtras {
   WatchRows watch;      ///< may be empty
 };
 
-/// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source.
-/// Thread-safe.
+/// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source:
+/// smooth ones where the solver has a smooth metric. Thread-safe.
 class RowMaker {
  public:
   /// All must outlive it. `solver` has the reconstruction of `surfaces` prepared.
@@ -56,6 +58,8 @@ class RowMaker {
 
   /// The counters of all searches so far.
   std::map<std::string, std::uint64_t> counters() const { return counters_.sums(); }
+  /// What became of the flat paths of all rows so far, added up in the order of the rows; none without a smooth metric.
+  std::optional<SmoothFigures> smooth() const;
   /// Counts the sources so far by the way in which they became vertices; empty for `project`.
   std::map<std::string, std::uint64_t> insertions() const;
 
@@ -72,6 +76,7 @@ class RowMaker {
   RowExtras extras_;
   CounterSum counters_;
   std::array<std::atomic<std::uint64_t>, 4> insertions_{};
+  std::vector<SmoothFigures> smooth_;  // per row; none without a smooth metric
 };
 
 /// Makes the rows of the set that the sink has not, over at most `threads` threads, each with a search of its own by

@@ -17,7 +17,9 @@ bool is_no_vertex(const NamedPoint& point) {
 }  // namespace
 
 TargetList::TargetList(std::vector<NamedPoint> targets, const PlacedSurface& surface)
-    : named_(std::move(targets)), bounded_(surface.made_from == InputKind::points), one_point_each_(true) {
+    : named_(std::move(targets)),
+      bounded_(surface.made_from == InputKind::points || surface.smooth),
+      one_point_each_(true) {
   for (const NamedPoint& target : named_) {
     first_.push_back(points_.size());
     if (is_no_vertex(target)) points_.push_back(target.place.at);

@@ -27,7 +27,7 @@ class TargetList {
   /// number that is at least 0, whoever wrote the plugin. To be called inside `cross_boundary`.
   double read(const ShortestPathMap& map, std::size_t j) const;
 
-  /// True if the surface is an estimate, made from points: no distance of theirs is below the straight line.
+  /// True if the surface is an estimate, made from points or smooth: no distance of theirs is below the straight line.
   bool bounded() const noexcept { return bounded_; }
   /// False if the closest of several points may count for a target.
   bool one_point_each() const noexcept { return one_point_each_; }

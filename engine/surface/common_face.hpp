@@ -63,9 +63,10 @@ class CommonFace {
     return point;
   }
 
-  /// Returns the cost of the straight way between two points in the cheapest face that holds both: its length times the
-  /// face's weight. Returns nothing if no face holds both. O(the lowest degree of the corners that p depends on).
-  std::optional<double> straight(const SurfacePoint& p, const SurfacePoint& q) const {
+  /// Calls `use` with each face that holds both points, in ascending order, and their coordinates there. O(the lowest
+  /// degree of the corners that p depends on).
+  template <class Use>
+  void for_each_common(const SurfacePoint& p, const SurfacePoint& q, Use&& use) const {
     // A face that holds p holds each corner that p depends on: the one with the fewest faces is enough.
     std::span<const Index> faces;
     for (int i = 0; i < 3; ++i) {
@@ -73,14 +74,21 @@ class CommonFace {
       const std::span<const Index> there = faces_at(mesh_.triangles()[p.face][i]);
       if (faces.empty() || there.size() < faces.size()) faces = there;
     }
-    std::optional<double> cheapest;
     for (const Index face : faces) {
       const auto a = on_face(p, face), b = on_face(q, face);
-      if (!a || !b) continue;
-      const double cost = straight_within(mesh_, face, *a, *b);
-      if (mesh_.face_weights().empty()) return cost;  // the same in every face
-      cheapest = std::min(cost, cheapest.value_or(cost));
+      if (a && b) use(face, *a, *b);
     }
+  }
+
+  /// Returns the cost of the straight way between two points in the cheapest face that holds both: its length times the
+  /// face's weight. Returns nothing if no face holds both. Complexity as above.
+  std::optional<double> straight(const SurfacePoint& p, const SurfacePoint& q) const {
+    std::optional<double> cheapest;
+    for_each_common(p, q, [&](Index face, const std::array<double, 3>& a, const std::array<double, 3>& b) {
+      if (cheapest && mesh_.face_weights().empty()) return;  // the same in every face
+      const double cost = straight_within(mesh_, face, a, b);
+      cheapest = std::min(cost, cheapest.value_or(cost));
+    });
     return cheapest;
   }
 

@@ -53,6 +53,8 @@ Command<Arguments> add_command(CLI::App& parent, Action& action, const std::stri
 void add_input(CLI::App& command, std::filesystem::path& file);
 /// By name, or by accuracy for what is asked of it.
 void add_solver(CLI::App& command, StageChoice& stages, Asked asked = Asked::searches);
+/// On the triangles or on the smooth surface over them.
+void add_metric(CLI::App& command, RunSettings& settings);
 /// What every job has: sample stages, reading, plugins, threads, seed, quiet.
 void add_job_options(CLI::App& command, RunSettings& settings, bool& quiet);
 void add_sample_stages(CLI::App& command, StageChoice& stages);

@@ -59,6 +59,7 @@ void add_distances(CLI::App& app, Action& action) {
       ->check(number_from_to(0, 1))
       ->type_name("SHARE")
       ->capture_default_str();
+  add_metric(command, job.settings);
   add_solver(command, job.settings.stages);
   add_job_options(command, job.settings, arguments.quiet);
 }

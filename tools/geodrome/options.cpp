@@ -124,6 +124,13 @@ void add_part(CLI::App& command, RunSettings& settings) {
       "is NaN and counted");
 }
 
+void add_metric(CLI::App& command, RunSettings& settings) {
+  add_choice<Metric>(
+      command, "--metric", settings.metric, {{"flat", Metric::flat}, {"smooth", Metric::smooth}},
+      "flat: on the triangles; smooth: the length of a curve on the smooth surface that the tangent estimator fits to "
+      "the sample (of a mesh: to its vertices), where that is trusted; no upper bound");
+}
+
 void add_job_options(CLI::App& command, RunSettings& settings, bool& quiet) {
   add_part(command, settings);
   add_sample_stages(command, settings.stages);

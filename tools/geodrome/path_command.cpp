@@ -45,6 +45,7 @@ void add_path(CLI::App& app, Action& action) {
   add_choice<ProjectionRule>(command, "--query", job.query,
                              {{"project", ProjectionRule::project}, {"insert", ProjectionRule::insert}},
                              "project: between closest surface points; insert: FROM becomes a vertex of the surface");
+  add_metric(command, job.settings);
   add_solver(command, job.settings.stages);
   add_job_options(command, job.settings, arguments.quiet);
 }

@@ -24,6 +24,8 @@ namespace {
 
 /// Mistakes that would otherwise show after all is computed.
 void check_arguments(const CompareJob& job) {
+  if (job.settings.metric == Metric::smooth)
+    throw OptionError("combinations are compared on their triangles", remedies::flat_metric());
   if (job.settings.part != Part::whole)
     throw OptionError("combinations are compared on whole samples: each would find another part",
                       remedies::whole_sample());

@@ -52,10 +52,11 @@ std::string fingerprint(const DistanceJob& job, const Opened& opened, const Prep
   json["solver"] = chosen(solver.record);
   json["query"] = name(job.query), json["max_distance"] = to_json(job.max_distance);
   json["sources"] = digest(sources), json["targets"] = digest(targets);
-  if (plan_rows(solver.plugin, job.query, sources, job.max_distance)) json["searches"] = ManySearches::id;
+  if (plan_rows(solver, job.query, sources, job.max_distance)) json["searches"] = ManySearches::id;
   json["dtype"] = job.scalar == ScalarType::float64 ? "float64" : "float32";
   json["seed"] = job.settings.seed;
   if (opened.surface.part) json["part"] = "largest";
+  if (opened.surface.smooth) json["metric"] = "smooth", json["smooth"] = chosen(opened.surface.smooth->record);
   return json.dump();
 }
 
@@ -65,6 +66,7 @@ void check_bounds(const DistanceJob& job) {
   if (job.nearest_bounds && job.nearest.empty())
     throw OptionError("there is no table of nearest sources to write lower bounds into", remedies::nearest_output());
   if (!job.bounds.empty()) check_bounds_rule(job.query);
+  if (!job.bounds.empty() || job.nearest_bounds) check_bounds_metric(job.settings.metric);
 }
 
 /// Mistakes that would otherwise show after hours.
@@ -108,7 +110,8 @@ void search(RunRecord& record, const SourceSurfaces& surfaces, std::span<const N
     record.nearest = find_nearest(solver, *surfaces.reconstruction(), sources, targets, job.max_distance,
                                   job.nearest_bounds, context);
     StageContext audit("audit", observer, 1, seed);
-    const GivenDistances given{sources, targets, record.nearest->distances, job.max_distance, record.nearest->vertices};
+    const GivenDistances given{sources, targets, record.nearest->searched(), record.nearest->radius,
+                               record.nearest->vertices};
     record.nearest->audit = audit_distances(solver, *surfaces.reconstruction(), given, job.audit_share, seed, audit);
   }
   if (!job.matrix.empty())

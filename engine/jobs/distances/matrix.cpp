@@ -70,18 +70,23 @@ void tell_unfinished(const MatrixFile& file, const MatrixFile::Spec& spec, Obser
                                    std::to_string(spec.rows) + " rows; " + observer.words(remedies::go_on()));
 }
 
+/// Smooth distances differ from flat ones, of which the invariants hold, by the largest change at most; what rows of an
+/// earlier run were changed by is not known.
 Invariants check_invariants(const DistanceJob& job, const PreparedSolver& solver, const SurfaceMesh& mesh,
-                            const MatrixFile& file, std::span<const NamedPoint> sources, const TargetList& targets) {
+                            const MatrixFile& file, std::span<const NamedPoint> sources, const TargetList& targets,
+                            const MatrixResult& made) {
   const auto read = [&](std::uint64_t row) { return file.read(row); };
-  return check_invariants(sources, targets.named(), read,
-                          {.factor = solver.plugin.factor,
-                           .one_surface = job.query == ProjectionRule::project,
-                           .bounded = job.query != ProjectionRule::printed &&
-                                      (targets.bounded() || solver.provides(Provides::never_shorter)),
-                           .smallest_weight = smallest_weight(mesh),
-                           .float32 = job.scalar == ScalarType::float32,
-                           .radius = job.max_distance,
-                           .seed = job.settings.seed});
+  return check_invariants(
+      sources, targets.named(), read,
+      {.factor = solver.plugin.factor,
+       .one_surface = job.query == ProjectionRule::project && !(made.smooth && made.resumed_rows > 0),
+       .bounded =
+           job.query != ProjectionRule::printed && (targets.bounded() || solver.provides(Provides::never_shorter)),
+       .smallest_weight = smallest_weight(mesh),
+       .change = made.smooth ? made.smooth->largest_change : 0,
+       .float32 = job.scalar == ScalarType::float32,
+       .radius = job.max_distance,
+       .seed = job.settings.seed});
 }
 
 /// Reads the whole matrix once more, as it stands on disk, resumed rows included.
@@ -182,13 +187,15 @@ void make_rows(const DistanceJob& job, const PreparedSolver& solver, const std::
   result.seconds = stopwatch.seconds() + result.first_row_seconds;
   result.counters = maker.counters();
   result.insertions = maker.insertions();
+  result.smooth = maker.smooth();
 }
 
 /// What the rows of the file show.
 void check_rows(const DistanceJob& job, const PreparedSolver& solver, const SourceSurfaces& surfaces,
                 const MatrixFile& file, std::span<const NamedPoint> sources, MatrixResult& result) {
   result.reach = count_reaches(job, surfaces, file, sources);
-  result.invariants = check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets());
+  result.invariants =
+      check_invariants(job, solver, *surfaces.reconstruction(), file, sources, surfaces.targets(), result);
 }
 
 }  // namespace
@@ -199,14 +206,16 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   const MatrixFile::Spec bounds = job.bounds.empty() ? MatrixFile::Spec{} : spec_of_bounds(spec, job.bounds);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = bytes_of(spec, bounds)};
   Certificates certificates(solver, spec.rows);
-  RowAudit audit(solver, surfaces, sources, job.max_distance, job.audit_share);
-  const auto watch = [&](std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map) {
-    audit.hear(i, on, cross_boundary(solver.plugin.info, [&] { return map.vertices(); }));
+  const double radius = solver.smooth ? farther_for_smooth * job.max_distance : job.max_distance;
+  RowAudit audit(solver, surfaces, sources, radius, job.audit_share);
+  const auto watch = [&](std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map,
+                         std::span<const double> flat) {
+    audit.hear(i, on, cross_boundary(solver.plugin.info, [&] { return map.vertices(); }), flat);
     certificates.hear(i, *on.mesh, map);
   };
   RowMaker maker(solver, surfaces, sources, job.max_distance, job.settings.seed, observer,
                  {!job.bounds.empty(), watch});
-  const std::optional<RowPlan> plan = plan_rows(solver.plugin, surfaces.rule(), sources, job.max_distance);
+  const std::optional<RowPlan> plan = plan_rows(solver, surfaces.rule(), sources, job.max_distance);
 
   const Stopwatch first;
   std::vector<double> row(maker.columns());
@@ -216,20 +225,23 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   BoundedMatrix sink = open_matrix(spec, bounds, job.resume, observer);
   const MatrixFile& file = sink.matrix();
   result.resumed_rows = file.rows_done();
-  std::vector<std::vector<double>> rows;  // as they stand on disk
+  std::vector<std::vector<double>> rows;  // as they stand on disk, or flat
   try {
     if (!sink.has(0)) sink.write(0, row);
     make_rows(job, solver, plan, maker, sink, spec, observer, result);
     result.certified = certificates.figures();
     check_rows(job, solver, surfaces, file, sources, result);
-    for (const std::size_t i : audit.sources()) rows.push_back(file.read(i));
+    if (solver.smooth)
+      rows = audit.heard_rows();
+    else
+      for (const std::size_t i : audit.sources()) rows.push_back(file.read(i));
     sink.finish();
   } catch (...) {
     tell_unfinished(file, spec, observer);
     throw;
   }
   StageContext context("audit", observer, 1, job.settings.seed);
-  const double rounding = job.scalar == ScalarType::float32 ? 0x1p-24 : 0;
+  const double rounding = job.scalar == ScalarType::float32 && !solver.smooth ? 0x1p-24 : 0;
   result.audit = audit.judge(rows, rounding, job.settings.seed, context);
   return result;
 }

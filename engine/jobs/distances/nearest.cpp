@@ -56,7 +56,7 @@ NearestResult find_nearest(const PreparedSolver& solver, const SurfaceMesh& mesh
                      [&] { result.bounds = bounds_of(solver, map, sources, targets, nearest, max_distance); });
   };
   const Stopwatch stopwatch;
-  result.distances = nearest_distances(solver, sources, targets, max_distance, context, watch);
+  static_cast<MeasuredNearest&>(result) = measured_nearest(solver, sources, targets, max_distance, context, watch);
   result.seconds = stopwatch.seconds();
   count(result);
   return result;

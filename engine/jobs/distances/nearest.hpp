@@ -8,14 +8,14 @@
 
 #include "engine/checks/distance_audit.hpp"
 #include "engine/checks/interval_audit.hpp"
+#include "engine/search/smooth_distances.hpp"
 #include "geodrome/engine/named_points.hpp"
 #include "geodrome/shortest_path_map.hpp"
 
 namespace geodrome {
 
 /// The distances of a job's targets from the nearest of its sources.
-struct NearestResult {
-  std::vector<Distance> distances;  ///< per target
+struct NearestResult : MeasuredNearest {
   std::uint64_t reached = 0, beyond_limit = 0, unreachable = 0, dropped = 0;
   double seconds = 0;
   std::vector<double> bounds;                ///< lower, per target; empty if they are not wanted

@@ -40,6 +40,18 @@ Json to_json(const PlanRecord& plan) {
   return json;
 }
 
+Json to_json(const SmoothFigures& smooth) {
+  const double paths = static_cast<double>(std::max<std::uint64_t>(smooth.paths, 1));
+  return {{"paths", smooth.paths},
+          {"left_above_flat_paths", smooth.left},
+          {"share_of_length", to_json(smooth.share())},
+          {"mean_correction", to_json(smooth.correction / paths)},
+          {"largest_correction", to_json(smooth.largest_correction)},
+          {"mean_estimated_error", to_json(smooth.error / paths)},
+          {"largest_estimated_error", to_json(smooth.largest_error)},
+          {"largest_change", to_json(smooth.largest_change)}};
+}
+
 Json to_json(const MatrixResult& matrix) {
   Json json{{"rows", matrix.rows},       {"columns", matrix.columns},
             {"bytes", matrix.bytes},     {"resumed_rows", matrix.resumed_rows},
@@ -52,6 +64,7 @@ Json to_json(const MatrixResult& matrix) {
   for (const auto& [name, value] : matrix.counters) json["counters"][name] = value;
   if (!matrix.insertions.empty()) json["insertions"] = matrix.insertions;
   if (matrix.certified) json["certified"] = to_json(*matrix.certified);
+  if (matrix.smooth) json["smooth"] = to_json(*matrix.smooth);
   const Invariants& i = matrix.invariants;
   json["invariants"] = {{"sampled_rows", i.rows},
                         {"scale", to_json(i.scale)},
@@ -99,6 +112,7 @@ Json to_json(const NearestResult& nearest) {
   Json json{{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
             {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
   if (nearest.certified) json["certified"] = to_json(*nearest.certified);
+  if (nearest.smooth) json["smooth"] = to_json(*nearest.smooth);
   return json;
 }
 
@@ -208,6 +222,16 @@ void summarize_certified(const std::optional<IntervalFigures>& certified, const 
       << " in the mean (" << certified->vertices << " vertices reached)\n";
 }
 
+void summarize_smooth(const std::optional<SmoothFigures>& smooth, const FittedSurface& fitted, const char* of,
+                      std::ostream& out) {
+  if (!smooth) return;
+  const double paths = static_cast<double>(std::max<std::uint64_t>(smooth->paths, 1));
+  out << "smooth     " << of << 100 * smooth->share() << " % of the length, by " << fitted.record.plugin.full_name()
+      << "; changed by " << smooth->correction / paths << " in the mean, " << smooth->largest_correction
+      << " at most; estimated error " << smooth->error / paths << " in the mean, " << smooth->largest_error
+      << " at most\n";
+}
+
 void summarize_audit(const DistanceAudit& audit, bool nearest, std::ostream& out) {
   out << "audit      " << (nearest ? "nearest: " : "");
   if (!audit.not_audited.empty()) return void(out << "not audited: " << audit.not_audited << "\n");
@@ -230,6 +254,9 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Sampl
         << record.nearest->seconds << " s\n";
   if (record.matrix) summarize_certified(record.matrix->certified, "", out);
   if (record.nearest) summarize_certified(record.nearest->certified, "nearest: ", out);
+  const std::optional<FittedSurface>& fitted = record.start.surface().smooth;
+  if (record.matrix && fitted) summarize_smooth(record.matrix->smooth, *fitted, "", out);
+  if (record.nearest && fitted) summarize_smooth(record.nearest->smooth, *fitted, "nearest: ", out);
   if (record.matrix) summarize_audit(record.matrix->audit.found, false, out);
   if (record.nearest) summarize_audit(record.nearest->audit, true, out);
   if (sample) print_short(*sample, out);

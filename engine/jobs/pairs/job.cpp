@@ -55,7 +55,7 @@ JobReport run_pairs(const PairJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
   SessionState session(job.settings, observer, Provides::nothing);
-  demand_pair_queries(session.plugin.info, session.host);
+  demand_pair_queries(session.plugin.info, session.host, job.settings.metric);
   PairSelection selection = parse_pairs(job.pairs);  // after the solver: the file may have millions of lines
   session.begin(job.input);
   const JobStart& start = session.start;

@@ -6,6 +6,7 @@
 
 #include "engine/surface/place.hpp"
 #include "geodrome/plugin.hpp"
+#include "tests/support/analytic_surfaces.hpp"
 #include "tests/support/meshes.hpp"
 
 namespace geodrome::test {
@@ -22,7 +23,7 @@ class RowPlans : public testing::Test {
   }
 
   const MeshPtr mesh_ = plane_grid(3);
-  Plugin<ShortestPathSolver> solver_{.find_extension = extensions<table>};
+  PreparedSolver solver_{.plugin = {.find_extension = extensions<table>}};
 };
 
 TEST_F(RowPlans, HoldEachPlaceOnceInWhateverOrderTheListHas) {
@@ -58,8 +59,14 @@ TEST_F(RowPlans, AreNotMadeWhereSourcesHaveSurfacesOfTheirOwn) {
   EXPECT_FALSE(plan_rows(solver_, ProjectionRule::printed, sources, infinity));
 }
 
+TEST_F(RowPlans, AreNotMadeWherePathsAreWanted) {
+  const auto surface = std::make_shared<const AnalyticSurface<Plane>>(mesh_);
+  solver_.smooth = metric_of({.mesh = mesh_, .smooth = FittedSurface{.surface = surface}});
+  EXPECT_FALSE(plan({vertex(1), vertex(2)}));
+}
+
 TEST_F(RowPlans, AreNotMadeForASolverWithoutTheExtension) {
-  solver_.find_extension = nullptr;
+  solver_.plugin.find_extension = nullptr;
   EXPECT_FALSE(plan({vertex(1), vertex(2)}));
 }
 

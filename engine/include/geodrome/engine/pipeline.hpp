@@ -12,6 +12,7 @@
 #include "geodrome/engine/plugin_host.hpp"
 #include "geodrome/engine/surface_locator.hpp"
 #include "geodrome/plugin.hpp"
+#include "geodrome/smooth_surface.hpp"
 
 namespace geodrome {
 
@@ -25,11 +26,18 @@ struct StageChoice {
 /// What is measured of a point sample: all of it, or the largest part that makes a surface by itself (`SurfacePart`).
 enum class Part : std::uint8_t { whole, largest };
 
+/// What distances are measured on. `flat`: the triangles. `smooth`: the smooth surface that the tangent estimator fits
+/// to the sample, or to the vertices of a mesh, where that is trusted; the flat path to each target becomes a geodesic
+/// of it. D is then the length of a curve on that surface, to fourth order in the spacing of its nodes, and no upper
+/// bound; it is not below the straight line.
+enum class Metric : std::uint8_t { flat, smooth };
+
 /// The settings that every job has. `threads` 0 means one per core. No result depends on it.
 struct RunSettings {
   StageChoice stages;
   ReadOptions read;
   Part part = Part::whole;
+  Metric metric = Metric::flat;  ///< of `run_distances`, `run_path` and the questions of a session
   std::vector<std::filesystem::path> plugin_path;
   unsigned threads = 0;
   std::uint64_t seed = 1;
@@ -83,6 +91,14 @@ struct SurfacePart {
   double share() const { return static_cast<double>(points) / static_cast<double>(sample); }
 };
 
+/// The smooth surface over the faces of a mesh.
+struct FittedSurface {
+  std::shared_ptr<const SmoothSurface> surface;
+  StageRecord record;  ///< of the tangent estimator, which fitted it
+  std::size_t trusted_faces = 0;
+  double largest_deviation = 0, mean_deviation = 0;  ///< estimates, over trusted faces, units of the input
+};
+
 /// A surface, and on it a place for every row of the input.
 struct PlacedSurface {
   InputKind made_from = InputKind::mesh;
@@ -91,7 +107,8 @@ struct PlacedSurface {
   std::shared_ptr<const PointInserter> inserter;  ///< null where the reconstructor has none, and for a mesh
   std::vector<Place> places;
   std::optional<SampleStages> sample;
-  std::optional<SurfacePart> part;  ///< if the surface is of a part of the sample: see `RunSettings::part`
+  std::optional<FittedSurface> smooth;  ///< if distances are measured on it: see `RunSettings::metric`
+  std::optional<SurfacePart> part;      ///< if the surface is of a part of the sample: see `RunSettings::part`
   std::vector<StageRecord> stages;
   std::vector<Finding> findings;  ///< their elements are rows of the input
 };
@@ -106,7 +123,7 @@ struct SurfaceAttempt {
 /// Lines 3 to 7 of Algorithm 2: stages 1 to 4 for a cloud; for a mesh, the mesh. Places follow the corrected query
 /// rule: the globally closest point of the surface. Errors: what the plugins throw, and PluginError for a result that
 /// breaks the interface. Complexity: that of the plugins, and O(n log F) for the places. `settings.part` is not used:
-/// jobs and sessions choose the part.
+/// jobs and sessions choose the part, and fit what is smooth.
 PlacedSurface make_surface(const Input& input, const PluginHost& host, const RunSettings& settings, Observer& observer);
 
 /// As `make_surface`, but a SampleError is returned with what was learned, for the sample report.

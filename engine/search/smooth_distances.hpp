@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/search/distances.hpp"
+#include "engine/smooth/shortening.hpp"
+#include "geodrome/engine/distances.hpp"
+
+/// What a search found on the triangles, turned into lengths on the smooth surface over them: each flat path is
+/// shortened there.
+namespace geodrome {
+
+/// A length may be shorter on the smooth surface than on the triangles: searches with a limit look so much farther.
+inline constexpr double farther_for_smooth = 1.01;
+
+/// What became of flat paths, summed up.
+struct SmoothFigures {
+  std::uint64_t paths = 0;        ///< of a length above 0
+  std::uint64_t left = 0;         ///< of which a part stayed above the flat path: no step made it shorter
+  double flat = 0, smooth = 0;    ///< lengths of the flat paths, and of what of them lies on trusted faces
+  double correction = 0;          ///< sum of |length / flat - 1|
+  double largest_correction = 0;  ///< of these
+  double error = 0;               ///< sum of the estimated error over the length
+  double largest_error = 0;       ///< of these
+  double largest_change = 0;      ///< of a distance, in the units of the input
+
+  /// Of the length of the flat paths, what lies on trusted faces; 0 of none.
+  double share() const { return flat > 0 ? smooth / flat : 0; }
+  void add(const SmoothLength& path);
+  void add(const SmoothFigures& other);
+};
+
+/// Replaces the flat distances of a row, which `distance_row` read from this map, by smooth ones. Precondition: the
+/// solver has a smooth metric and paths, and the map was kept. Throws as `trace_path`, what the surface throws, and
+/// NumericalError for a length that is no number.
+SmoothFigures smooth_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
+                         const TargetList& targets, double max_distance, std::span<double> row);
+
+/// The distances from the nearest of several sources, under the metric of the solver.
+struct MeasuredNearest {
+  std::vector<Distance> distances;
+  std::vector<Distance> flat;           ///< those on the triangles, within `radius`, if the others are smooth
+  std::optional<SmoothFigures> smooth;  ///< if they are
+  double radius = infinity;             ///< of the search
+
+  std::span<const Distance> searched() const { return smooth ? flat : distances; }
+};
+
+/// As `nearest_distances`, under whatever metric the solver has: the nearest source is that on the triangles.
+MeasuredNearest measured_nearest(const PreparedSolver& solver, std::span<const NamedPoint> sources,
+                                 const TargetList& targets, double max_distance, RunContext& context,
+                                 const WatchNearest& watch = {});
+
+/// Replaces a path on the triangles, which `shortest_path` gave, by its curve on the smooth surface. Needs no map.
+void smooth_path(const PreparedSolver& solver, const NamedPoint& from, const TargetList& to, PathResult& path);
+
+}  // namespace geodrome
