@@ -9,6 +9,7 @@
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/vertex_propagation.hpp"
 #include "plugins/solver_chen_han/apex.hpp"
+#include "plugins/solver_chen_han/child.hpp"
 #include "plugins/solver_chen_han/fan_windows.hpp"
 #include "plugins/solver_chen_han/gathering.hpp"
 #include "plugins/solver_chen_han/kept_windows.hpp"
@@ -26,12 +27,6 @@ struct Counts {
   std::uint64_t filtered = 0;    ///< windows dropped because a vertex is a shorter way
   std::uint64_t trimmed = 0;     ///< windows dropped because other windows are shorter everywhere
   std::uint64_t longest = 0;     ///< the longest list carried on
-};
-
-/// What of a list goes on through one edge of the face, and where it is clipped at the apex.
-struct Child {
-  Span list;
-  Clip clip;
 };
 
 /// Windows carried over a surface from its sources, half-edge by half-edge, nearest first (Chen and Han 1990, Xin and

@@ -9,7 +9,7 @@ namespace geodrome {
 namespace {
 
 // Measured on 14 shapes of 2,000 to 8,000 points: six smooth ones, clean and with noise of 0.01 to 1 % of the diagonal,
-// three with a boundary, cubes, thin plates, creases of 17 to 62 degrees, and a machine part. README.md has the figures.
+// three with a boundary, cubes, thin plates, creases of 17 to 62 degrees, a machine part. README.md has the figures.
 
 /// Residual as a share of the neighbourhood's radius. Where the points of a cube show its edges, a face over an edge
 /// has a corner or a neighbour of one above 0.028. A smooth shape goes as high only where 32 points reach half around
