@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -21,8 +20,11 @@ constexpr const char* accuracy_meaning =
     "shape by Newton's method (error 1e-12), the least of several ways; where there is noise, between the points that\n"
     "it moved along the normal. far: pairs at least a quarter of the largest distance apart; near: less than a\n"
     "twentieth. mean: of |error|; over, under: of the pairs that are too long, too short. Exponents: least squares in\n"
-    "log-log over all sizes and seeds of a variant, in the hole, to which epsilon is proportional. Seconds: all that\n"
-    "the engine does for the sources, to all points.";
+    "log-log over all sizes and seeds of a variant, in the hole, to which epsilon is proportional. Seconds: of the\n"
+    "rows from the sources to all points, without the surface. Of --metric smooth: estimate: the error that the "
+    "engine\n"
+    "states, relative, mean of its rows; within: the share of far pairs whose error is at most that; of a path's\n"
+    "length smooth is what lies on the smooth surface.";
 
 struct AccuracyArguments {
   std::vector<std::string> shapes{"sphere", "torus", "ellipsoid", "trefoil", "genus2", "star", "bumpy"};
@@ -30,7 +32,7 @@ struct AccuracyArguments {
   std::vector<std::size_t> points{2000, 8000, 32000};
   std::vector<double> noise{0};
   std::vector<std::uint64_t> seeds{1};
-  std::vector<std::string> variants;
+  std::vector<std::string> variants, metrics{"flat"};
   std::size_t sources = 4;
   TruthChoice truth;
   RunSettings settings;
@@ -41,6 +43,8 @@ struct Series {
   std::vector<double> hole, mean, over, under;
 };
 
+const char* word(Metric metric) { return metric == Metric::smooth ? "smooth" : "flat"; }
+
 /// What one row of the table is about.
 struct Run {
   const ManifoldTask& task;
@@ -48,35 +52,37 @@ struct Run {
 
   void print_head(const Variant& variant) const {
     const auto size = feature_size(sample.shape);
-    std::printf("%-9s %-8s %7zu %6g %5llu %8.4f %8s", variant.name.c_str(), sample.sampling.c_str(), task.sample.size(),
-                sample.noise, static_cast<unsigned long long>(sample.seed), task.hole,
-                size ? figure_text(task.hole / *size, 4).c_str() : "-");
+    std::printf("%-8s %-6s %-8s %7zu %6g %5llu %8.4f %8s", variant.name.c_str(), word(variant.metric),
+                sample.sampling.c_str(), task.sample.size(), sample.noise, static_cast<unsigned long long>(sample.seed),
+                task.hole, size ? figure_text(task.hole / *size, 4).c_str() : "-");
   }
 };
 
-void print_errors(const DistanceErrors& e, double seconds) {
-  std::printf("  %9.2e %9.2e %9.2e %9.2e %9.2e  %9.2e %9.2e %9.2e %9.1f\n", e.far.mean, e.far.mean_over,
-              e.far.mean_under, e.far.largest_over, e.far.largest_under, e.near.mean, e.near.largest_over,
-              e.near.largest_under, seconds);
+void print_errors(const DistanceErrors& e, const EngineRun& engine) {
+  std::printf("  %9.2e %9.2e %9.2e %9.2e %9.2e  %9.2e %9.2e %9.2e %9.3f", e.far.mean, e.far.mean_over, e.far.mean_under,
+              e.far.largest_over, e.far.largest_under, e.near.mean, e.near.largest_over, e.near.largest_under,
+              engine.seconds);
+  if (engine.estimated_error)
+    std::printf("  %9.2e %7.3f %7.3f", *engine.estimated_error,
+                static_cast<double>(e.far.within) / static_cast<double>(e.far.pairs), *engine.smooth_share);
+  std::printf("\n");
 }
 
 void print_exponents(const Variant& variant, const Series& s) {
   const auto exponent = [&](const std::vector<double>& y) {
     return figure_text(fitted_exponent(s.hole, y), 2);  // "-" where some mean is 0
   };
-  std::printf("%-9s mean %5s   over %5s   under %5s   (%zu runs)\n", variant.name.c_str(), exponent(s.mean).c_str(),
-              exponent(s.over).c_str(), exponent(s.under).c_str(), s.hole.size());
+  std::printf("%-8s %-6s mean %5s   over %5s   under %5s   (%zu runs)\n", variant.name.c_str(), word(variant.metric),
+              exponent(s.mean).c_str(), exponent(s.over).c_str(), exponent(s.under).c_str(), s.hole.size());
 }
 
 void run_variant(const Run& run, const Variant& variant, RunSettings settings, Series& series) {
   settings.seed = run.sample.seed;
   run.print_head(variant);
   try {
-    const auto start = std::chrono::steady_clock::now();
-    const auto computed = engine_distances(run.task, variant, settings);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const DistanceErrors errors = distance_errors(run.task.truth, computed);
-    print_errors(errors, seconds);
+    const EngineRun engine = engine_distances(run.task, variant, settings);
+    const DistanceErrors errors = distance_errors(run.task.truth, engine.distances, engine.estimated_error.value_or(0));
+    print_errors(errors, engine);
     series.hole.push_back(run.task.hole), series.mean.push_back(errors.far.mean);
     series.over.push_back(errors.far.mean_over), series.under.push_back(errors.far.mean_under);
   } catch (const SampleError& error) {
@@ -85,23 +91,28 @@ void run_variant(const Run& run, const Variant& variant, RunSettings settings, S
   std::fflush(stdout);
 }
 
-/// Those of the known variants that are asked for; all if none is.
+/// Those of the known variants that are asked for, all if none is; each with the metrics that are asked for.
 std::vector<Variant> chosen_variants(const AccuracyArguments& arguments) {
   const std::vector<Variant> known = variants_of(arguments.settings.stages);
-  if (arguments.variants.empty()) return known;
+  for (const std::string& name : arguments.variants)
+    if (std::ranges::find(known, name, &Variant::name) == known.end())
+      throw OptionError("unknown variant '" + name + "'");
   std::vector<Variant> chosen;
-  for (const std::string& name : arguments.variants) {
-    const auto found = std::find_if(known.begin(), known.end(), [&](const Variant& v) { return v.name == name; });
-    if (found == known.end()) throw OptionError("unknown variant '" + name + "'");
-    chosen.push_back(*found);
+  for (Variant variant : known) {
+    if (!arguments.variants.empty() && std::ranges::count(arguments.variants, variant.name) == 0) continue;
+    for (const std::string& metric : arguments.metrics) {
+      variant.metric = metric == "smooth" ? Metric::smooth : Metric::flat;
+      chosen.push_back(variant);
+    }
   }
   return chosen;
 }
 
 void print_titles(const std::string& shape) {
-  std::printf("\n%s\n%-9s %-8s %7s %6s %5s %8s %8s  %9s %9s %9s %9s %9s  %9s %9s %9s %9s\n", shape.c_str(), "variant",
-              "sampling", "points", "noise", "seed", "hole", "epsilon", "far mean", "over", "under", "max over",
-              "max under", "near mean", "max over", "max under", "seconds");
+  std::printf("\n%s\n%-8s %-6s %-8s %7s %6s %5s %8s %8s  %9s %9s %9s %9s %9s  %9s %9s %9s %9s  %9s %7s %7s\n",
+              shape.c_str(), "variant", "metric", "sampling", "points", "noise", "seed", "hole", "epsilon", "far mean",
+              "over", "under", "max over", "max under", "near mean", "max over", "max under", "seconds", "estimate",
+              "within", "smooth");
 }
 
 /// All sizes and seeds of a way to sample, and their exponents.
@@ -148,6 +159,8 @@ void add_accuracy(CLI::App& app, Action& action) {
   add_list(command, "--seeds", arguments.seeds, "of samples, sources and stages");
   add_list(command, "--variants", arguments.variants,
            "of default, none (decimator_none), insert, printed (query rules); all if not given");
+  add_list(command, "--metric", arguments.metrics, "of flat, smooth; side by side")
+      ->check(CLI::IsMember({"flat", "smooth"}));
   add_count(command, "--sources", arguments.sources, "random points of each sample");
   add_truth(command, arguments.truth);
   add_count(command, "--near", arguments.truth.near, "more targets of a source that are near it");

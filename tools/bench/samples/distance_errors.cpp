@@ -7,8 +7,8 @@
 namespace geodrome::bench {
 namespace {
 
-void add(DistanceErrors::Group& group, double error) {
-  ++group.pairs, group.mean += std::abs(error);
+void add(DistanceErrors::Group& group, double error, double estimate) {
+  ++group.pairs, group.mean += std::abs(error), group.within += std::abs(error) <= estimate;
   if (error > 0) ++group.over_pairs, group.mean_over += error, group.largest_over = std::max(group.largest_over, error);
   if (error < 0)
     ++group.under_pairs, group.mean_under -= error, group.largest_under = std::max(group.largest_under, -error);
@@ -26,7 +26,7 @@ void finish(DistanceErrors::Group& group) {
 }  // namespace
 
 DistanceErrors distance_errors(std::span<const std::vector<double>> truth,
-                               std::span<const std::vector<double>> computed) {
+                               std::span<const std::vector<double>> computed, double estimate) {
   double largest = 0;
   for (const std::vector<double>& row : truth) largest = std::max(largest, *std::max_element(row.begin(), row.end()));
   DistanceErrors errors;
@@ -34,9 +34,10 @@ DistanceErrors distance_errors(std::span<const std::vector<double>> truth,
     for (std::size_t j = 0; j < truth[i].size(); ++j) {
       const double is = truth[i][j];
       if (is == 0) continue;
-      add(errors.all, (computed[i][j] - is) / is);
-      if (is >= far_share * largest) add(errors.far, (computed[i][j] - is) / is);
-      if (is < near_share * largest) add(errors.near, (computed[i][j] - is) / is);
+      const double error = (computed[i][j] - is) / is;
+      add(errors.all, error, estimate);
+      if (is >= far_share * largest) add(errors.far, error, estimate);
+      if (is < near_share * largest) add(errors.near, error, estimate);
     }
   finish(errors.all), finish(errors.far), finish(errors.near);
   return errors;

@@ -16,6 +16,9 @@ struct DistanceErrors {
     double mean = 0;                       ///< of |error|, over all pairs
     double mean_over = 0, mean_under = 0;  ///< over the pairs that are too long, and those too short, both positive
     double largest_over = 0, largest_under = 0;
+    std::size_t within = 0;  ///< pairs whose |error| is at most the estimate
+
+    double largest() const { return largest_over > largest_under ? largest_over : largest_under; }
   };
   Group far;   ///< at least a quarter of the largest true distance apart
   Group all;   ///< above 0 apart
@@ -23,8 +26,8 @@ struct DistanceErrors {
 };
 
 /// Compares rows of computed distances with the true ones. Precondition: the same shape; computed ones are finite or
-/// count as errors of their own size (+inf).
+/// count as errors of their own size (+inf). `estimate`: of the relative error, which the pairs are held against.
 DistanceErrors distance_errors(std::span<const std::vector<double>> truth,
-                               std::span<const std::vector<double>> computed);
+                               std::span<const std::vector<double>> computed, double estimate = 0);
 
 }  // namespace geodrome::bench

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <utility>
 
+#include "engine/report/json.hpp"
 #include "geodrome/engine/input.hpp"
 
 namespace geodrome::bench {
@@ -45,6 +46,16 @@ std::vector<std::vector<double>> read_matrix(const fs::path& file, std::size_t r
   return matrix;
 }
 
+EngineRun run_of(const JobReport& report, std::vector<std::vector<double>> distances) {
+  const Json matrix = Json::parse(report.json).at("matrix");
+  EngineRun run{.distances = std::move(distances), .seconds = matrix.at("seconds").get<double>()};
+  if (const auto smooth = matrix.find("smooth"); smooth != matrix.end()) {
+    run.estimated_error = smooth->at("mean_estimated_error").get<double>();
+    run.smooth_share = smooth->at("share_of_length").get<double>();
+  }
+  return run;
+}
+
 }  // namespace
 
 std::vector<Variant> variants_of(const StageChoice& stages) {
@@ -56,13 +67,12 @@ std::vector<Variant> variants_of(const StageChoice& stages) {
           {"printed", stages, ProjectionRule::printed}};
 }
 
-std::vector<std::vector<double>> engine_distances(const ManifoldTask& task, const Variant& variant,
-                                                  RunSettings settings) {
+EngineRun engine_distances(const ManifoldTask& task, const Variant& variant, RunSettings settings) {
   const TemporaryFolder folder;
   DistanceJob job;
   job.input = folder / "sample.xyz", job.matrix = folder / "distances.npy";
   write_points(job.input, task.sample.points);
-  settings.stages = variant.stages;
+  settings.stages = variant.stages, settings.metric = variant.metric;
   job.settings = std::move(settings);
   job.query = variant.query;
   job.audit_share = 0;
@@ -71,7 +81,7 @@ std::vector<std::vector<double>> engine_distances(const ManifoldTask& task, cons
   Observer silent;
   const JobReport report = run_distances(job, silent);
   if (!report.broken_promises.empty()) throw NumericalError("broken promise: " + report.broken_promises.front());
-  return at_targets(task, read_matrix(job.matrix, task.sources.size(), task.sample.size()));
+  return run_of(report, at_targets(task, read_matrix(job.matrix, task.sources.size(), task.sample.size())));
 }
 
 }  // namespace geodrome::bench

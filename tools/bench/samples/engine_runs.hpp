@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,14 +16,22 @@ struct Variant {
   std::string name;
   StageChoice stages;
   ProjectionRule query = ProjectionRule::project;
+  Metric metric = Metric::flat;
 };
 
-/// The known variants of a choice of stages: default, none (decimator_none), insert and printed (query rules).
+/// The known variants of a choice of stages: default, none (decimator_none), insert and printed (query rules); flat.
 std::vector<Variant> variants_of(const StageChoice& stages);
+
+/// What became of the distances of a task, and what the engine says of them.
+struct EngineRun {
+  std::vector<std::vector<double>> distances;  ///< per source, per target
+  double seconds = 0;                          ///< of the rows: searches and what is made of them, by the clock
+  std::optional<double> estimated_error;       ///< relative, mean over all rows; of the smooth metric
+  std::optional<double> smooth_share;          ///< of the length of the paths, what lies on the smooth surface
+};
 
 /// Distances from the task's sources to their targets by `run_distances`, through files in a temporary folder: the path
 /// of the product itself, which computes those to all points. Errors: those of the engine.
-std::vector<std::vector<double>> engine_distances(const ManifoldTask& task, const Variant& variant,
-                                                  RunSettings settings);
+EngineRun engine_distances(const ManifoldTask& task, const Variant& variant, RunSettings settings);
 
 }  // namespace geodrome::bench
