@@ -20,11 +20,10 @@ constexpr const char* accuracy_meaning =
     "shape by Newton's method (error 1e-12), the least of several ways; where there is noise, between the points that\n"
     "it moved along the normal. far: pairs at least a quarter of the largest distance apart; near: less than a\n"
     "twentieth. mean: of |error|; over, under: of the pairs that are too long, too short. Exponents: least squares in\n"
-    "log-log over all sizes and seeds of a variant, in the hole, to which epsilon is proportional. Seconds: of the\n"
-    "rows from the sources to all points, without the surface. Of --metric smooth: estimate: the error that the "
-    "engine\n"
-    "states, relative, mean of its rows; within: the share of far pairs whose error is at most that; of a path's\n"
-    "length smooth is what lies on the smooth surface.";
+    "log-log over all sizes and seeds of a variant, in the hole, to which epsilon is proportional. Seconds: processor\n"
+    "time of a row, from a source to all points, if there are four sources. Of --metric smooth: estimate: the error\n"
+    "that the engine states, relative, mean of its rows; within: the share of far pairs whose error is at most that;\n"
+    "smooth: of the paths' length, what lies on the smooth surface.";
 
 struct AccuracyArguments {
   std::vector<std::string> shapes{"sphere", "torus", "ellipsoid", "trefoil", "genus2", "star", "bumpy"};
@@ -59,9 +58,9 @@ struct Run {
 };
 
 void print_errors(const DistanceErrors& e, const EngineRun& engine) {
-  std::printf("  %9.2e %9.2e %9.2e %9.2e %9.2e  %9.2e %9.2e %9.2e %9.3f", e.far.mean, e.far.mean_over, e.far.mean_under,
+  std::printf("  %9.2e %9.2e %9.2e %9.2e %9.2e  %9.2e %9.2e %9.2e %9.4f", e.far.mean, e.far.mean_over, e.far.mean_under,
               e.far.largest_over, e.far.largest_under, e.near.mean, e.near.largest_over, e.near.largest_under,
-              engine.seconds);
+              engine.row_seconds);
   if (engine.estimated_error)
     std::printf("  %9.2e %7.3f %7.3f", *engine.estimated_error,
                 static_cast<double>(e.far.within) / static_cast<double>(e.far.pairs), *engine.smooth_share);

@@ -25,7 +25,7 @@ std::vector<Variant> variants_of(const StageChoice& stages);
 /// What became of the distances of a task, and what the engine says of them.
 struct EngineRun {
   std::vector<std::vector<double>> distances;  ///< per source, per target
-  double seconds = 0;                          ///< of the rows: searches and what is made of them, by the clock
+  double row_seconds = 0;                      ///< processor time a row, to all points; 0 of fewer than four rows
   std::optional<double> estimated_error;       ///< relative, mean over all rows; of the smooth metric
   std::optional<double> smooth_share;          ///< of the length of the paths, what lies on the smooth surface
 };
