@@ -12,6 +12,7 @@
 #include "tests/support/meshes.hpp"
 #include "tests/support/npy.hpp"
 #include "tests/support/samples.hpp"
+#include "tools/shapes/shapes.hpp"
 
 namespace geodrome::testing {
 namespace {
@@ -154,6 +155,18 @@ TEST_F(SmoothCases, NoiseOfATenthOfAPercentToOnePercent) {
   const Matrix truth = arcs(points, step_);
   for (const double share : {0.001, 0.005, 0.01})
     EXPECT_LT(ratio(noisy(points, share * 2 * std::sqrt(3), 5), truth), hardly) << share;
+}
+
+TEST_F(SmoothCases, LimitHoldsWhereSmoothWaysAreShorter) {
+  write_points(folder_ / "p.xyz", shapes::sample("genus2", {.points = 3000}).points);
+  DistanceJob job{.input = folder_ / "p.xyz", .settings = {.metric = Metric::smooth}, .sources = "0,7,100,999"};
+  const Matrix whole = distances(job);
+  for (const double limit : {0.3, 0.7, 1.1}) {
+    job.max_distance = limit;
+    const Matrix limited = distances(job);
+    for (std::size_t k = 0; k < whole.values.size(); ++k)
+      EXPECT_EQ(limited.values[k], whole.values[k] > limit ? infinity : whole.values[k]);
+  }
 }
 
 TEST_F(SmoothCases, UnevenSamples) {
