@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "geodrome/detail/point_triangle.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -40,21 +42,17 @@ Vec3 step_to(const Vec3& position, const SmoothPoint& a, const SmoothPoint& b, c
   return is_finite(step) ? step : Vec3{};
 }
 
-/// The coordinates with those below 0 raised to it.
-void keep_inside(std::array<double, 3>& b) {
-  for (double& share : b) share = std::max(share, 0.0);
-  const double sum = b[0] + b[1] + b[2];
-  for (double& share : b) share /= sum;
-}
-
-/// Brings a point that left its face to the edge that it crossed, seen from the face behind it if that is trusted.
+/// Brings a point that left its face to the closest point of that, seen from the face behind the edge that it crossed
+/// if that is trusted. Beyond a border it stays: coordinates cut off at 0 would slide along that.
 void come_back(const SmoothCharts& charts, SurfacePoint& at) {
   const int least = static_cast<int>(std::ranges::min_element(at.b) - at.b.begin());
   if (at.b[least] >= 0) return;
-  keep_inside(at.b);
+  const std::array<Vec3, 3> corners = charts.mesh().corners(at.face);
+  const Vec3 point = at.b[0] * corners[0] + at.b[1] * corners[1] + at.b[2] * corners[2];
+  at.b = detail::closest_on_triangle(point, corners).b;
   const std::span<const Index> twins = charts.mesh().twins();
   const Index beside = twins.empty() ? no_index : twins[3 * at.face + (least + 1) % 3];
-  if (beside == no_index || !charts.trusts(beside / 3)) return;
+  if (at.b[least] != 0 || beside == no_index || !charts.trusts(beside / 3)) return;
   if (const auto b = charts.on_face(at, beside / 3)) at = {beside / 3, *b};
 }
 

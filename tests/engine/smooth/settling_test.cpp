@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "geodrome/engine/surface_locator.hpp"
 #include "tests/engine/smooth/smooth_fixture.hpp"
 
@@ -34,6 +36,39 @@ TEST(Settling, FindsWhereThePointIs) {
     EXPECT_LT(distance(onto(Star{}, mesh->position(point.at)), point.position), 1e-12);
     for (const double b : point.at.b) EXPECT_GE(b, 0);
     EXPECT_NEAR(point.at.b[0] + point.at.b[1] + point.at.b[2], 1, 1e-14);
+  }
+}
+
+TEST(Settling, PutsPointsBeyondABorderOntoItsClosestPoint) {
+  // The smooth surface is the unit square itself. Two thirds of the points are where no face is.
+  class Square : public SmoothSurface {
+   public:
+    explicit Square(MeshPtr mesh) : mesh_(std::move(mesh)) {}
+    double deviation(Index) const override { return 0; }
+    void evaluate(std::span<const SmoothPlace> places, std::span<SmoothPoint> points) const override {
+      for (std::size_t i = 0; i < places.size(); ++i)
+        points[i] = {mesh_->position(places[i].at), {0, 0, 1}, places[i].direction, {}, {}};
+    }
+    std::size_t bytes() const override { return sizeof *this; }
+
+   private:
+    MeshPtr mesh_;
+  };
+  const MeshPtr mesh = plane_grid(5);
+  const SmoothCharts charts(mesh, std::make_shared<const Square>(mesh));
+  const SurfaceLocator locator(mesh);
+  const Vec3 corner = *std::ranges::max_element(mesh->positions(), {}, [](const Vec3& p) { return p.x + p.y; });
+  std::mt19937_64 random(5);
+  std::vector<SettledPoint> points;
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 p{(1.6 * uniform(random) - 0.3) * corner.x, (1.6 * uniform(random) - 0.3) * corner.y, 0};
+    points.push_back({p, locator.closest(p).at});
+  }
+  settle(charts, points);
+  for (const SettledPoint& point : points) {
+    const Vec3& p = point.position;
+    const Vec3 closest{std::clamp(p.x, 0.0, corner.x), std::clamp(p.y, 0.0, corner.y), 0};
+    EXPECT_LT(distance(mesh->position(point.at), closest), 1e-14 * norm(corner));
   }
 }
 

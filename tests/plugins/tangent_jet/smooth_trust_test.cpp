@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 
 #include "geodrome/engine/input.hpp"
 #include "plugins/tangent_jet/smooth/trust.hpp"
@@ -113,6 +114,29 @@ TEST(SmoothTrust, NoFaceOverAnEdgeOfABoxIsTrusted) {
       EXPECT_GT(over, 0u);
       EXPECT_EQ(far, 0u) << "sides are flat";
     }
+}
+
+TEST(SmoothTrust, HardlyAFaceAtACreaseWithPointsOnItIsTrusted) {
+  for (const double degrees : {30, 45}) {
+    const double turned = degrees / 2 * std::numbers::pi / 180;
+    test::Random random(6);
+    PointSample sample;
+    const auto add = [&](double u, double y) {
+      sample.points.push_back({u * std::cos(turned), y, -std::abs(u) * std::sin(turned)});
+    };
+    for (int i = 0; i < 3000; ++i) {
+      const double u = random.uniform(-1, 1);
+      add(u, random.uniform(0, 2));
+    }
+    for (int i = 0; i <= 60; ++i) add(0, i / 30.0);
+    const FittedSurface made = test::fitted(sample);
+    std::size_t at_crease = 0, trusted = 0;
+    for (Index f = 0; f < made.mesh->face_count(); ++f)
+      if (std::ranges::any_of(made.mesh->corners(f), [](const Vec3& p) { return p.x == 0; }))
+        ++at_crease, trusted += made.trusted(f);
+    EXPECT_GT(at_crease, 50u);
+    EXPECT_LT(trusted, at_crease / 20) << degrees << " " << at_crease;
+  }
 }
 
 TEST(SmoothTrust, FacesInTheMiddleOfTheSidesOfACubeAreTrusted) {
