@@ -14,6 +14,7 @@
 #include "geodrome/solver_kit/packed_mesh.hpp"
 #include "plugins/common/exact/entry.hpp"
 #include "plugins/common/exact/found_distance.hpp"
+#include "plugins/common/exact/pseudo_source.hpp"
 #include "plugins/common/exact/tolerances.hpp"
 #include "plugins/common/exact/watched_target.hpp"
 #include "plugins/common/mesh/apex.hpp"
@@ -21,19 +22,6 @@
 #include "plugins/common/mesh/labels.hpp"
 
 namespace geodrome {
-
-/// Returns how many straight lines (windows, generators) a search may carry across faces. On a manifold a search needs
-/// at most one for each face on each level of Chen and Han's sequence tree, which has as many levels as there are
-/// faces: F^2. Sixteen times that leaves room for what is carried again; a million more, for small meshes. Where edges
-/// have more than two faces no bound is known.
-inline std::uint64_t most_carried(std::uint64_t faces) { return 16 * faces * faces + (std::uint64_t{1} << 20); }
-
-/// A pseudo-source in the frame of a half-edge: in its face, or unfolded below it. A point p that a straight line from
-/// it reaches is at distance sigma + |p - (x, y)|.
-struct PseudoSource {
-  double x, y, sigma;
-  Index origin;  ///< a vertex, or `vertex count + i` for source i of the request
-};
 
 /// The base of exact propagations, whatever carries their straight lines across faces: labels of vertices, paths along
 /// edges, sources and pseudo-sources, watched points, and the loop that takes the nearest first. All distances are
