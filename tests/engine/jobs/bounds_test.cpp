@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -13,23 +12,12 @@
 #include "tests/support/meshes.hpp"
 #include "tests/support/npy.hpp"
 #include "tests/support/samples.hpp"
+#include "tests/support/stops_at_rows.hpp"
 
 namespace geodrome::testing {
 namespace {
 
 using nlohmann::json;
-
-/// Is cancelled once some rows of a matrix are done.
-class CancelledHalfway : public Observer {
- public:
-  void progress(std::string_view stage, double fraction) override {
-    if (stage == "distances" && fraction > 0.3) stop_ = true;
-  }
-  bool cancelled() const noexcept override { return stop_; }
-
- private:
-  std::atomic<bool> stop_ = false;
-};
 
 /// Two tori, one beside the other.
 class Bounds : public ::testing::Test {
@@ -162,7 +150,7 @@ TEST_F(Bounds, AreTheSameBytesForAnyNumberOfThreadsAndAfterAResumedRun) {
   for (const bool with_bounds : {true, false}) {  // of a run without bounds every row is made again
     DistanceJob half = all;
     if (!with_bounds) half.bounds.clear();
-    CancelledHalfway observer;
+    test::StopsAtRows observer(0.3);
     EXPECT_THROW(run_distances(half, observer), Cancelled);
     std::filesystem::remove(folder_ / "l.npy");
     all.resume = true;

@@ -2,13 +2,13 @@
 // Matrices by the row lists of chen_han: threads, sets of rows and resumed runs do not show in a byte.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "geodrome/engine/session.hpp"
 #include "tests/support/meshes.hpp"
 #include "tests/support/npy.hpp"
+#include "tests/support/stops_at_rows.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace geodrome::testing {
@@ -73,22 +73,12 @@ TEST_P(ListedRows, HaveTheSameBytesForAnyNumberOfThreads) {
 }
 
 TEST_P(ListedRows, HaveTheSameBytesAfterAResumedRun) {
-  class StopsOnTheWay : public Observer {
-   public:
-    void progress(std::string_view stage, double fraction) override {
-      stop_ = stop_ || (stage == "distances" && fraction > 0.4);
-    }
-    bool cancelled() const noexcept override { return stop_; }
-
-   private:
-    std::atomic<bool> stop_ = false;
-  };
   for (const ScalarType scalar : {ScalarType::float64, ScalarType::float32}) {
     DistanceJob all = job();
     all.scalar = scalar;
     run(all);
     const std::string whole = bytes();
-    StopsOnTheWay observer;
+    test::StopsAtRows observer(0.4);
     EXPECT_THROW(run_distances(all, observer), Cancelled);
     all.resume = true, all.settings.threads = 3;
     const json found = run(all);

@@ -11,31 +11,28 @@
 #include "tests/support/meshes.hpp"
 #include "tests/support/npy.hpp"
 #include "tests/support/samples.hpp"
+#include "tests/support/stops_at_rows.hpp"
 
 namespace geodrome::testing {
 namespace {
 
 using nlohmann::json;
 
-/// Keeps the log, and is cancelled by a line of it or by a share of the rows.
+/// Keeps the log, and is cancelled by a line of it.
 class Listener : public Observer {
  public:
-  explicit Listener(std::string line = "", double rows = 2) : line_(std::move(line)), rows_(rows) {}
+  explicit Listener(std::string line = "") : line_(std::move(line)) {}
 
   void log(LogLevel, std::string_view message) override {
     const std::lock_guard lock(mutex_);
     heard_.append(message).append("\n");
     if (!line_.empty() && message.find(line_) != std::string_view::npos) stop_ = true;
   }
-  void progress(std::string_view stage, double fraction) override {
-    if (stage == "distances" && fraction > rows_) stop_ = true;
-  }
   bool cancelled() const noexcept override { return stop_; }
   bool heard(const std::string& words) const { return heard_.find(words) != std::string::npos; }
 
  private:
   std::string line_, heard_;
-  double rows_;
   std::mutex mutex_;
   std::atomic<bool> stop_ = false;
 };
@@ -151,7 +148,7 @@ TEST_F(ManySearchesJob, GivesTheSameBytesAfterAResumedRun) {
     all.scalar = scalar, all.bounds = folder_ / "l.npy", all.max_distance = 2;
     run(all);
     const std::string whole = bytes(), bounds = read_bytes(all.bounds);
-    Listener observer("", 0.3);
+    test::StopsAtRows observer(0.3);
     EXPECT_THROW(run_distances(all, observer), Cancelled);
     all.resume = true;
     const json found = matrix_of(all);
@@ -211,7 +208,7 @@ TEST_F(ManySearchesJob, TellsWhatWentWrongWhilePreparing) {
 /// A version without the extension made other roundings.
 TEST_F(ManySearchesJob, MarksItsPartialFiles) {
   const auto mark = [&](DistanceJob interrupted) {
-    Listener observer("", 0.3);
+    test::StopsAtRows observer(0.3);
     EXPECT_THROW(run_distances(interrupted, observer), Cancelled);
     return read_bytes(partial_).find("geodrome.many_searches/1") != std::string::npos;
   };

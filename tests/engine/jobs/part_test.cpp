@@ -11,6 +11,7 @@
 #include "geodrome/engine/session.hpp"
 #include "tests/support/npy.hpp"
 #include "tests/support/scans.hpp"
+#include "tests/support/stops_at_rows.hpp"
 
 namespace geodrome::testing {
 namespace {
@@ -178,17 +179,7 @@ TEST_F(Parts, GiveTheSameBytesForAnyThreadsAndAfterAResume) {
   run_distances(job, silent_observer());
   EXPECT_EQ(read_bytes(job.matrix), expected);
 
-  /// Asks to stop as soon as rows are being written.
-  class Stop final : public Observer {
-   public:
-    void progress(std::string_view stage, double fraction) override {
-      stop_ = stop_ || (stage == "distances" && fraction > 0.3);
-    }
-    bool cancelled() const noexcept override { return stop_; }
-
-   private:
-    std::atomic<bool> stop_ = false;
-  } stop;
+  test::StopsAtRows stop(0.3);
   EXPECT_THROW(run_distances(job, stop), Cancelled);
   EXPECT_EQ(read_bytes(job.matrix), expected) << "the finished one is still there";
   job.resume = true;

@@ -2,7 +2,6 @@
 // Jobs and sessions under the smooth metric, on points of the unit sphere; `test_sphere` knows what they are of.
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -11,6 +10,7 @@
 #include "tests/support/npy.hpp"
 #include "tests/support/same_bytes.hpp"
 #include "tests/support/samples.hpp"
+#include "tests/support/stops_at_rows.hpp"
 #include "tools/shapes/meshes.hpp"
 
 namespace geodrome::testing {
@@ -20,18 +20,6 @@ using nlohmann::json;
 using test::same_bytes;
 
 double arc(const Vec3& p, const Vec3& q) { return std::atan2(norm(cross(p, q)), dot(p, q)); }
-
-/// Cancels a job when two fifths of the rows are there.
-class StopsMidway : public Observer {
- public:
-  void progress(std::string_view stage, double fraction) override {
-    if (stage == "distances" && fraction > 0.4) stop_ = true;
-  }
-  bool cancelled() const noexcept override { return stop_; }
-
- private:
-  std::atomic<bool> stop_ = false;
-};
 
 class SmoothMetric : public ::testing::Test {
  protected:
@@ -100,7 +88,7 @@ TEST_F(SmoothMetric, GivesTheSameBytesForAnyNumberOfThreadsAndAfterAnInterruptio
   const Matrix one = made(smooth);
   smooth.settings.threads = 3;
   EXPECT_TRUE(same_bytes(made(smooth).values, one.values));
-  StopsMidway stops;
+  test::StopsAtRows stops(0.4);
   EXPECT_THROW(run_distances(smooth, stops), Cancelled);
   smooth.resume = true;
   const JobReport report = run(smooth);
@@ -110,7 +98,7 @@ TEST_F(SmoothMetric, GivesTheSameBytesForAnyNumberOfThreadsAndAfterAnInterruptio
 }
 
 TEST_F(SmoothMetric, DoesNotGoOnWithAFlatMatrix) {
-  StopsMidway stops;
+  test::StopsAtRows stops(0.4);
   DistanceJob flat = job(Metric::flat);
   EXPECT_THROW(run_distances(flat, stops), Cancelled);
   DistanceJob smooth = job();

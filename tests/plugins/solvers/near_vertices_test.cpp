@@ -48,7 +48,7 @@ class NearVertices : public testing::TestWithParam<std::string> {
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
       const MeshPtr before = base(seed);
       const std::size_t vertices = before->vertex_count(), splits = 10 + seed % 50;
-      const auto mesh = std::make_shared<SurfaceMesh>(shapes::split_vertices(*before, splits, gap, seed));
+      const MeshPtr mesh = share(shapes::split_vertices(*before, splits, gap, seed));
       const auto right = rows(before, vertices), found = rows(mesh, vertices);
       for (std::size_t s = 0; s < vertices; ++s)
         for (std::size_t t = 0; t < vertices; ++t) {
