@@ -31,6 +31,9 @@ struct SmoothFigures {
 
   /// Of the length of the flat paths, what lies on trusted faces; 0 of none.
   double share() const { return flat > 0 ? smooth / flat : 0; }
+  /// Means over the paths; 0 of none.
+  double mean_correction() const { return paths > 0 ? correction / static_cast<double>(paths) : 0; }
+  double mean_error() const { return paths > 0 ? error / static_cast<double>(paths) : 0; }
   void add(const SmoothLength& path);
   void add(const SmoothFigures& other);
 };

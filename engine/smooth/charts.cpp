@@ -43,7 +43,7 @@ FlatPiece SmoothCharts::piece(const SurfacePoint& p, const SurfacePoint& q) cons
     offer(face, *a, *b);
     if (!on_one_edge(*a, *b)) return best;
   }
-  common_.for_each_common(p, q, offer);
+  common_.for_each_common(p, q, [&](Index face, const auto& a, const auto& b) { return offer(face, a, b), true; });
   if (best.face == no_index)
     throw NumericalError("gave a path with a step that lies in no face",
                          "choose another solver, and report this to the author of the plugin");

@@ -63,8 +63,8 @@ class CommonFace {
     return point;
   }
 
-  /// Calls `use` with each face that holds both points, in ascending order, and their coordinates there. O(the lowest
-  /// degree of the corners that p depends on).
+  /// Calls `use` with each face that holds both points, in ascending order, and their coordinates there, until it
+  /// returns false. O(the lowest degree of the corners that p depends on).
   template <class Use>
   void for_each_common(const SurfacePoint& p, const SurfacePoint& q, Use&& use) const {
     // A face that holds p holds each corner that p depends on: the one with the fewest faces is enough.
@@ -76,7 +76,7 @@ class CommonFace {
     }
     for (const Index face : faces) {
       const auto a = on_face(p, face), b = on_face(q, face);
-      if (a && b) use(face, *a, *b);
+      if (a && b && !use(face, *a, *b)) return;
     }
   }
 
@@ -85,9 +85,9 @@ class CommonFace {
   std::optional<double> straight(const SurfacePoint& p, const SurfacePoint& q) const {
     std::optional<double> cheapest;
     for_each_common(p, q, [&](Index face, const std::array<double, 3>& a, const std::array<double, 3>& b) {
-      if (cheapest && mesh_.face_weights().empty()) return;  // the same in every face
       const double cost = straight_within(mesh_, face, a, b);
       cheapest = std::min(cost, cheapest.value_or(cost));
+      return !mesh_.face_weights().empty();  // without weights it is the same in every face
     });
     return cheapest;
   }

@@ -11,9 +11,8 @@ namespace geodrome {
 Plugin<TangentEstimator> load_smooth_estimator(const PluginHost& host, const RunSettings& settings);
 
 /// Fits a smooth surface over the faces of a surface that was made: to its sample as it was read, or, of a mesh, to its
-/// vertices, then `sample` is not used. Throws
-/// CapabilityError for a mesh with weights, SampleError for vertices that stage 1 refuses, PluginError for a result
-/// that breaks the interface, and as `load_smooth_estimator`.
+/// vertices, then `sample` is not used. Throws CapabilityError for a mesh with weights, SampleError for vertices that
+/// stage 1 refuses, PluginError for a result that breaks the interface, and as `load_smooth_estimator`.
 FittedSurface fit_smooth(const PlacedSurface& surface, const PointSample& sample, const PluginHost& host,
                          const RunSettings& settings, Observer& observer);
 

@@ -41,13 +41,12 @@ Json to_json(const PlanRecord& plan) {
 }
 
 Json to_json(const SmoothFigures& smooth) {
-  const double paths = static_cast<double>(std::max<std::uint64_t>(smooth.paths, 1));
   return {{"paths", smooth.paths},
           {"left_above_flat_paths", smooth.left},
           {"share_of_length", to_json(smooth.share())},
-          {"mean_correction", to_json(smooth.correction / paths)},
+          {"mean_correction", to_json(smooth.mean_correction())},
           {"largest_correction", to_json(smooth.largest_correction)},
-          {"mean_estimated_error", to_json(smooth.error / paths)},
+          {"mean_estimated_error", to_json(smooth.mean_error())},
           {"largest_estimated_error", to_json(smooth.largest_error)},
           {"largest_change", to_json(smooth.largest_change)}};
 }
@@ -225,10 +224,9 @@ void summarize_certified(const std::optional<IntervalFigures>& certified, const 
 void summarize_smooth(const std::optional<SmoothFigures>& smooth, const FittedSurface& fitted, const char* of,
                       std::ostream& out) {
   if (!smooth) return;
-  const double paths = static_cast<double>(std::max<std::uint64_t>(smooth->paths, 1));
   out << "smooth     " << of << 100 * smooth->share() << " % of the length, by " << fitted.record.plugin.full_name()
-      << "; changed by " << smooth->correction / paths << " in the mean, " << smooth->largest_correction
-      << " at most; estimated error " << smooth->error / paths << " in the mean, " << smooth->largest_error
+      << "; changed by " << smooth->mean_correction() << " in the mean, " << smooth->largest_correction
+      << " at most; estimated error " << smooth->mean_error() << " in the mean, " << smooth->largest_error
       << " at most\n";
 }
 
