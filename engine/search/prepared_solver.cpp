@@ -81,8 +81,10 @@ PreparedSolver prepare_solver(Plugin<ShortestPathSolver> plugin, const MeshPtr& 
 
 std::shared_ptr<const SmoothMetric> metric_of(const PlacedSurface& surface) {
   if (!surface.smooth) return nullptr;
-  return std::make_shared<const SmoothMetric>(
-      SmoothMetric{surface.smooth->record.plugin, SmoothCharts(surface.mesh, surface.smooth->surface)});
+  const PluginInfo& plugin = surface.smooth->record.plugin;
+  return cross_boundary(plugin, [&] {
+    return std::make_shared<const SmoothMetric>(plugin, SmoothCharts(surface.mesh, surface.smooth->surface));
+  });
 }
 
 void settle_places(PlacedSurface& surface) {

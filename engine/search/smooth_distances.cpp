@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "engine/formats/number_text.hpp"
+#include "engine/smooth/fronts/march.hpp"
+#include "engine/smooth/fronts/path_end.hpp"
 
 namespace geodrome {
 
@@ -83,6 +85,80 @@ SmoothFigures smooth_nearest(const PreparedSolver& solver, const ShortestPathMap
   return figures;
 }
 
+bool is_measured(const TargetList& targets, std::span<const double> row, std::size_t j) {
+  return std::isfinite(row[j]) && targets.named()[j].place.state == Place::State::on_surface;
+}
+
+/// Shortens the path to each target by itself.
+SmoothFigures traced_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
+                         const TargetList& targets, double max_distance, std::span<double> row) {
+  SmoothFigures figures;
+  const DistanceRule rule{targets.bounded(), max_distance};
+  ManyPaths paths(solver, targets, [&](std::size_t j, const SmoothLength& path) {
+    figures.add(path);
+    const double flat = row[j];
+    row[j] = rule(path.length + source.start, source, targets.named()[j]);
+    note_change(figures, flat, row[j]);
+  });
+  for (std::size_t j = 0; j < row.size(); ++j)
+    if (is_measured(targets, row, j)) paths.add(map, j);
+  paths.finish();
+  return figures;
+}
+
+/// Measures on the smooth surface what the march is asked for.
+class ShortenedPaths {
+ public:
+  ShortenedPaths(const PreparedSolver& solver, const ShortestPathMap& map)
+      : solver_(solver), map_(map), shortening_(solver.smooth->charts) {}
+
+  FrontPoint find(const SurfacePoint& at) {
+    cross_boundary(solver_.plugin.info, [&] {
+      map_.path(at, path_);
+      if (!path_.empty()) shortening_.add(path_);
+    });
+    if (path_.empty()) return {};  // beyond the radius
+    const EdgeCurves& curves = *solver_.smooth->curves;
+    return cross_boundary(solver_.smooth->plugin, [&] {
+      shortening_.run();
+      return front_at_end(curves, shortening_, 0, curves.mesh().vertex_at(at));
+    });
+  }
+
+ private:
+  const PreparedSolver& solver_;
+  const ShortestPathMap& map_;
+  Shortening shortening_;
+  std::vector<SurfacePoint> path_;
+};
+
+/// Carries the distances from the source to the vertices, and from there to the targets.
+SmoothFigures marched_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
+                          const TargetList& targets, double max_distance, std::span<double> row) {
+  SmoothFigures figures;
+  const DistanceRule rule{targets.bounded(), max_distance};
+  ShortenedPaths paths(solver, map);
+  FrontMarch march(*solver.smooth->curves);
+  march.run(map.vertices(), source.place.at, [&](const SurfacePoint& at) { return paths.find(at); });
+  const auto take = [&](std::size_t j, const FrontPoint& found) {
+    const double flat = row[j];
+    const SmoothLength length{.length = found.distance,
+                              .flat = flat - source.start,
+                              .smooth = flat - source.start - found.flat,
+                              .error = found.error};
+    check(length, targets.named()[j]);
+    figures.add(length);
+    row[j] = rule(found.distance + source.start, source, targets.named()[j]);
+    note_change(figures, flat, row[j]);
+  };
+  for (std::size_t j = 0; j < row.size(); ++j)
+    if (const Place& place = targets.named()[j].place; place.vertex != no_index && is_measured(targets, row, j))
+      take(j, march.at_vertex(place.vertex));
+  for (const std::size_t j : targets.by_face())
+    if (is_measured(targets, row, j)) take(j, march.at(targets.named()[j].place.at, targets.above(j)));
+  return figures;
+}
+
 }  // namespace
 
 void SmoothFigures::add(const SmoothLength& path) {
@@ -104,18 +180,8 @@ void SmoothFigures::add(const SmoothFigures& other) {
 
 SmoothFigures smooth_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
                          const TargetList& targets, double max_distance, std::span<double> row) {
-  SmoothFigures figures;
-  const DistanceRule rule{targets.bounded(), max_distance};
-  ManyPaths paths(solver, targets, [&](std::size_t j, const SmoothLength& path) {
-    figures.add(path);
-    const double flat = row[j];
-    row[j] = rule(path.length + source.start, source, targets.named()[j]);
-    note_change(figures, flat, row[j]);
-  });
-  for (std::size_t j = 0; j < row.size(); ++j)
-    if (std::isfinite(row[j]) && targets.named()[j].place.state == Place::State::on_surface) paths.add(map, j);
-  paths.finish();
-  return figures;
+  return solver.smooth->curves ? marched_row(solver, map, source, targets, max_distance, row)
+                               : traced_row(solver, map, source, targets, max_distance, row);
 }
 
 MeasuredNearest measured_nearest(const PreparedSolver& solver, std::span<const NamedPoint> sources,

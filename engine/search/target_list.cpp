@@ -14,6 +14,22 @@ bool is_no_vertex(const NamedPoint& point) {
   return point.place.state == Place::State::on_surface && point.place.vertex == no_index;
 }
 
+/// Where the smooth surface is above points of a mesh; nothing is known above faces that are not trusted.
+std::vector<SmoothPoint> points_above(std::span<const SurfacePoint> points, const PlacedSurface& surface) {
+  const SmoothSurface& smooth = *surface.smooth->surface;
+  std::vector<SmoothPlace> places;
+  std::vector<std::size_t> number;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto [p, q, r] = surface.mesh->corners(points[k].face);
+    if (!(smooth.deviation(points[k].face) < infinity)) continue;
+    places.push_back({points[k], (q - p) / norm(q - p)}), number.push_back(k);
+  }
+  std::vector<SmoothPoint> found(places.size()), above(points.size());
+  cross_boundary(surface.smooth->record.plugin, [&] { smooth.evaluate(places, found); });
+  for (std::size_t i = 0; i < found.size(); ++i) above[number[i]] = found[i];
+  return above;
+}
+
 }  // namespace
 
 TargetList::TargetList(std::vector<NamedPoint> targets, const PlacedSurface& surface)
@@ -25,6 +41,10 @@ TargetList::TargetList(std::vector<NamedPoint> targets, const PlacedSurface& sur
     if (is_no_vertex(target)) points_.push_back(target.place.at);
   }
   first_.push_back(points_.size());
+  for (std::size_t j = 0; j < named_.size(); ++j)
+    if (is_no_vertex(named_[j])) by_face_.push_back(j);
+  std::ranges::sort(by_face_, {}, [&](std::size_t j) { return std::pair(named_[j].place.at.face, j); });
+  if (surface.smooth) above_ = points_above(points_, surface);
 }
 
 TargetList::TargetList(std::vector<NamedPoint> targets, const std::vector<std::vector<SurfacePoint>>& points)

@@ -27,6 +27,12 @@ class TargetList {
   /// number that is at least 0, whoever wrote the plugin. To be called inside `cross_boundary`.
   double read(const ShortestPathMap& map, std::size_t j) const;
 
+  /// The smooth surface above target `j`, which is no vertex and lies on a trusted face of a surface that has one.
+  const SmoothPoint& above(std::size_t j) const { return above_[first_[j]]; }
+
+  /// All targets that are no vertices and lie on the surface, face by face: those of a face share what is looked up.
+  std::span<const std::size_t> by_face() const noexcept { return by_face_; }
+
   /// True if the surface is an estimate, made from points or smooth: no distance of theirs is below the straight line.
   bool bounded() const noexcept { return bounded_; }
   /// False if the closest of several points may count for a target.
@@ -35,6 +41,8 @@ class TargetList {
  private:
   std::vector<NamedPoint> named_;
   std::vector<SurfacePoint> points_;
+  std::vector<SmoothPoint> above_;  // points_, on a smooth surface
+  std::vector<std::size_t> by_face_;
   std::vector<std::size_t> first_;  // per target: its points in points_ end where those of the next one begin
   bool bounded_, one_point_each_;
 };

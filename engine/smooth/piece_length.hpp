@@ -39,6 +39,18 @@ inline double length_between(const SmoothPoint& p, const SmoothPoint& q) {
   return c * (1 + (2 * squares - piece::side(p.normal, q.normal) * ab) / 30 + 7 * ab * ab / 360);
 }
 
+/// What a length leaves out whose pieces were halved: that divides the error by 16.
+constexpr double left_by_halving(double halved, double whole) { return (halved - whole) / 15; }
+
+/// Where a node comes to lie that moves along its direction, by its derivatives.
+inline SmoothPoint moved(const SmoothPoint& node, double by) {
+  SmoothPoint result = node;
+  result.position = node.position + by * node.velocity + 0.5 * by * by * node.acceleration;
+  result.normal = node.normal + by * node.normal_velocity;
+  result.normal = result.normal / norm(result.normal);
+  return result;
+}
+
 /// The length with its derivatives; the second ones are those of a length whose normals turn evenly. Precondition: the
 /// ends differ.
 inline PieceLength moving_length(const SmoothPoint& p, const SmoothPoint& q) {

@@ -23,9 +23,6 @@ constexpr int most_steps = 4;
 /// Lengths that differ by less than this part of them are equal but for rounding.
 constexpr double rounding = 1e-13;
 
-/// Halving the pieces divides their error by 16.
-constexpr double order_4 = 1 / 15.0;
-
 /// The length of a curve through every `stride`-th of the nodes.
 double length_of(std::span<const SmoothPoint> nodes, std::size_t stride = 1) {
   double length = 0;
@@ -40,15 +37,6 @@ double error_of(std::span<const SmoothPoint> points, std::span<const CurveNode> 
   for (std::size_t i = 1; i < points.size(); ++i)
     error += std::max(nodes[i - 1].deviation, nodes[i].deviation) * norm(points[i].normal - points[i - 1].normal);
   return error;
-}
-
-/// Where a node comes to lie that moves, by its derivatives.
-SmoothPoint moved(const SmoothPoint& node, double by) {
-  SmoothPoint result = node;
-  result.position = node.position + by * node.velocity + 0.5 * by * by * node.acceleration;
-  result.normal = node.normal + by * node.normal_velocity;
-  result.normal = result.normal / norm(result.normal);
-  return result;
 }
 
 }  // namespace
@@ -142,7 +130,7 @@ bool Shortening::accept(Section& section) {
 
 void Shortening::measure(const Section& section) {
   const std::span nodes = part(at_, section);
-  const double finer = order_4 * (section.length - length_of(nodes, 2));
+  const double finer = left_by_halving(section.length, length_of(nodes, 2));
   SmoothLength& result = lengths_[section.path];
   result.length += section.length + finer;
   result.error += std::abs(finer) + error_of(nodes, part(nodes_, section));
@@ -181,6 +169,12 @@ std::span<const SmoothLength> Shortening::run() {
     if (section.smooth) measure(section);
   bound_from_below();
   return lengths_;
+}
+
+std::optional<Shortening::SmoothCurve> Shortening::smooth_curve(std::size_t path) {
+  const auto sections = std::ranges::equal_range(sections_, path, {}, &Section::path);
+  if (sections.size() != 1 || !sections.front().smooth || !lengths_[path].moved) return std::nullopt;
+  return SmoothCurve{part(nodes_, sections.front()), part(at_, sections.front())};
 }
 
 void Shortening::curve(std::size_t path, std::vector<SurfacePoint>& points, std::vector<Vec3>& positions) {

@@ -40,6 +40,16 @@ class Shortening {
   /// `add`.
   std::span<const SmoothLength> run();
 
+  std::span<const SmoothLength> lengths() const { return lengths_; }
+
+  struct SmoothCurve {
+    std::span<const CurveNode> nodes;
+    std::span<const SmoothPoint> points;
+  };
+  /// The nodes of a path of the last run, if all of it is smooth and as short as steps make it; valid as `run`'s
+  /// result.
+  std::optional<SmoothCurve> smooth_curve(std::size_t path);
+
   /// Appends the curve of a path of the last run: its nodes, above `points` at `positions`.
   void curve(std::size_t path, std::vector<SurfacePoint>& points, std::vector<Vec3>& positions);
 

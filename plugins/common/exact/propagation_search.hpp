@@ -187,7 +187,7 @@ Distance PropagationSearch<Propagation>::distance_at(const SurfacePoint& point) 
 
 template <MeshPropagation Propagation>
 Distance PropagationSearch<Propagation>::target_distance(const SurfacePoint& target) const {
-  if (keep() == Keep::map || mesh().vertex_at(target) != no_index) return distance_at(target);
+  if (mesh().vertex_at(target) != no_index) return distance_at(target);
   const PlainWay way = watched_way(target);
   return judge(way.distance, way.source, target.face);
 }

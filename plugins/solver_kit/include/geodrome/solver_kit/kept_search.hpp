@@ -28,7 +28,10 @@ class KeptSearch : public Search, protected ShortestPathMap {
     keep_ = request.keep;
     with_source_.assign(mesh_, components_, sources_);
     search(request, context);
-    kept_.assign(request.targets, [this](const SurfacePoint& target) { return target_distance(target); });
+    if (keep_ == Keep::map)
+      kept_.clear();  // any point may be asked, and is searched when it is
+    else
+      kept_.assign(request.targets, [this](const SurfacePoint& target) { return target_distance(target); });
     finish();
     return *this;
   }
@@ -43,7 +46,7 @@ class KeptSearch : public Search, protected ShortestPathMap {
   virtual void search(const Request& request, RunContext& context) = 0;
   /// Returns the distance at a vertex, or, with Keep::map or before `finish`, at any point. The point is on the mesh.
   virtual Distance distance_at(const SurfacePoint& point) const = 0;
-  /// Returns the distance at a target of the request, right after `search`.
+  /// Returns the distance at a target of the request, right after `search`, with Keep::targets.
   virtual Distance target_distance(const SurfacePoint& target) const { return distance_at(target); }
   /// Called when the targets are kept: the rest may be dropped unless the request says Keep::map.
   virtual void finish() {}
