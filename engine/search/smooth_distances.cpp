@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t nodes_at_once = 2048;
 
 void check(const SmoothLength& path, const NamedPoint& target) {
-  if (!is_distance(path.length) || !is_distance(path.error))
+  if (!is_distance(path.length) || !is_distance(path.error.value()))
     throw NumericalError("gave a smooth surface on which the path to target " + target.label + " is " +
                              number_text(path.length) + " long",
                          "choose another tangent estimator, and report this to the author of the plugin");
@@ -87,11 +87,11 @@ SmoothFigures smooth_nearest(const PreparedSolver& solver, const ShortestPathMap
 
 void SmoothFigures::add(const SmoothLength& path) {
   if (!(path.flat > 0)) return;
-  const double change = std::abs(path.length / path.flat - 1), off = path.error / path.flat;
+  const double change = std::abs(path.length / path.flat - 1), off = path.error.value();
   ++paths, left += !path.moved;
   flat += path.flat, smooth += path.smooth;
   correction += change, largest_correction = std::max(largest_correction, change);
-  error += off, largest_error = std::max(largest_error, off);
+  error += off, largest_error = std::max(largest_error, off / path.flat);
 }
 
 void SmoothFigures::add(const SmoothFigures& other) {
