@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t nodes_at_once = 2048;
 
 void check(const SmoothLength& path, const NamedPoint& target) {
-  if (!is_distance(path.length) || !is_distance(path.error))
+  if (!is_distance(path.length) || !is_distance(path.error.value()))
     throw NumericalError("gave a smooth surface on which the path to target " + target.label + " is " +
                              number_text(path.length) + " long",
                          "choose another tangent estimator, and report this to the author of the plugin");
@@ -142,10 +142,9 @@ SmoothFigures marched_row(const PreparedSolver& solver, const ShortestPathMap& m
   march.run(map.vertices(), source.place.at, [&](const SurfacePoint& at) { return paths.find(at); });
   const auto take = [&](std::size_t j, const FrontPoint& found) {
     const double flat = row[j];
-    const SmoothLength length{.length = found.distance,
-                              .flat = flat - source.start,
-                              .smooth = flat - source.start - found.flat,
-                              .error = found.error};
+    const double along = flat - source.start;
+    SmoothLength length{.length = found.distance, .flat = along, .smooth = along - found.flat, .error = found.error};
+    length.error.add_carried(found.carried);
     check(length, targets.named()[j]);
     figures.add(length);
     row[j] = rule(found.distance + source.start, source, targets.named()[j]);
@@ -163,11 +162,11 @@ SmoothFigures marched_row(const PreparedSolver& solver, const ShortestPathMap& m
 
 void SmoothFigures::add(const SmoothLength& path) {
   if (!(path.flat > 0)) return;
-  const double change = std::abs(path.length / path.flat - 1), off = path.error / path.flat;
+  const double change = std::abs(path.length / path.flat - 1), off = path.error.value();
   ++paths, left += !path.moved;
   flat += path.flat, smooth += path.smooth;
   correction += change, largest_correction = std::max(largest_correction, change);
-  error += off, largest_error = std::max(largest_error, off);
+  error += off, largest_error = std::max(largest_error, off / path.flat);
 }
 
 void SmoothFigures::add(const SmoothFigures& other) {

@@ -25,15 +25,16 @@ struct SmoothFigures {
   double flat = 0, smooth = 0;    ///< lengths of the flat paths, and of what of them lies on trusted faces
   double correction = 0;          ///< sum of |length / flat - 1|
   double largest_correction = 0;  ///< of these
-  double error = 0;               ///< sum of the estimated error over the length
-  double largest_error = 0;       ///< of these
+  double error = 0;               ///< sum of the estimated errors of lengths
+  double largest_error = 0;       ///< of an estimated error over the length
   double largest_change = 0;      ///< of a distance, in the units of the input
 
   /// Of the length of the flat paths, what lies on trusted faces; 0 of none.
   double share() const { return flat > 0 ? smooth / flat : 0; }
-  /// Means over the paths; 0 of none.
+  /// Over the paths; 0 of none.
   double mean_correction() const { return paths > 0 ? correction / static_cast<double>(paths) : 0; }
-  double mean_error() const { return paths > 0 ? error / static_cast<double>(paths) : 0; }
+  /// The estimated error over the length, in the mean over the paths, by their lengths: of far pairs; 0 of none.
+  double mean_error() const { return flat > 0 ? error / flat : 0; }
   void add(const SmoothLength& path);
   void add(const SmoothFigures& other);
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engine/smooth/charts.hpp"
 
+#include "engine/smooth/error_estimate.hpp"
+
 namespace geodrome {
 
 namespace {
@@ -23,10 +25,12 @@ bool on_one_edge(const std::array<double, 3>& a, const std::array<double, 3>& b)
 
 SmoothCharts::SmoothCharts(MeshPtr mesh, std::shared_ptr<const SmoothSurface> surface)
     : mesh_(std::move(mesh)), surface_(std::move(surface)), common_(*mesh_) {
+  std::vector<double> deviations;
   for (Index f = 0; f < mesh_->face_count(); ++f) {
-    deviation_.push_back(has_area(*mesh_, f) ? surface_->deviation(f) : infinity);
+    deviations.push_back(has_area(*mesh_, f) ? surface_->deviation(f) : infinity);
     spacing_.push_back(mean_edge(*mesh_, f));
   }
+  expected_error_ = expected_errors(*mesh_, *surface_, deviations);
 }
 
 FlatPiece SmoothCharts::piece(const SurfacePoint& p, const SurfacePoint& q) const {

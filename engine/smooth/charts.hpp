@@ -29,9 +29,9 @@ class SmoothCharts {
   const SmoothSurface& surface() const { return *surface_; }
 
   /// Faces that are not trusted stay flat, and so do those without an area: they have no plane to move in.
-  bool trusts(Index face) const { return deviation_[face] < infinity; }
-  /// How far the smooth surface is estimated to be from the one that was sampled; infinite where it is not trusted.
-  double deviation(Index face) const { return deviation_[face]; }
+  bool trusts(Index face) const { return expected_error_[face] < infinity; }
+  /// How far a curve is expected to be off over the face (error_estimate.hpp); infinite where it is not trusted.
+  double expected_error(Index face) const { return expected_error_[face]; }
   /// How far apart nodes are to lie: the mean length of the face's edges.
   double spacing(Index face) const { return spacing_[face]; }
 
@@ -50,7 +50,7 @@ class SmoothCharts {
   MeshPtr mesh_;
   std::shared_ptr<const SmoothSurface> surface_;
   CommonFace common_;
-  std::vector<double> deviation_, spacing_;
+  std::vector<double> expected_error_, spacing_;
 };
 
 }  // namespace geodrome

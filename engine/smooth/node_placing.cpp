@@ -22,7 +22,7 @@ CurveNode across(const SmoothCharts& charts, const FlatPiece& piece) {
   return {.place = {{piece.face, {}}, direction},
           .across = {-(b1 + b2), b1, b2},
           .spacing = charts.spacing(piece.face),
-          .deviation = charts.deviation(piece.face)};
+          .expected_error = charts.expected_error(piece.face)};
 }
 
 /// The node at a share of the piece's length.

@@ -13,8 +13,8 @@ namespace geodrome {
 struct CurveNode {
   SmoothPlace place;
   std::array<double, 3> across{};
-  double spacing = 0;    ///< of its face: how far apart nodes are to lie
-  double deviation = 0;  ///< of its face
+  double spacing = 0;         ///< of its face: how far apart nodes are to lie
+  double expected_error = 0;  ///< of its face
 };
 
 /// Appends the nodes of a run of pieces on trusted faces: its ends, and an odd number between them, so that every

@@ -30,13 +30,25 @@ double length_of(std::span<const SmoothPoint> nodes, std::size_t stride = 1) {
   return length;
 }
 
-/// What a deviation of the surface may change of the length: a curve that is lifted by d gains d times the angle by
-/// which it turns.
-double error_of(std::span<const SmoothPoint> points, std::span<const CurveNode> nodes) {
-  double error = 0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-    error += std::max(nodes[i - 1].deviation, nodes[i].deviation) * norm(points[i].normal - points[i - 1].normal);
-  return error;
+/// What the surface may be off by along a curve.
+void estimate_smooth(std::span<const SmoothPoint> points, std::span<const CurveNode> nodes, LengthError& error) {
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double length = distance(points[i - 1].position, points[i].position);
+    if (length == 0) continue;
+    const double spacing = (nodes[i - 1].spacing + nodes[i].spacing) / 2;
+    error.add_smooth(std::max(nodes[i - 1].expected_error, nodes[i].expected_error),
+                     norm(points[i].normal - points[i - 1].normal), length / spacing);
+  }
+}
+
+/// The angle between the normals of two faces.
+double turn_between(const SurfaceMesh& mesh, Index a, Index b) {
+  const auto normal = [&](Index face) {
+    const auto [p, q, r] = mesh.corners(face);
+    return cross(q - p, r - p);
+  };
+  const Vec3 m = normal(a), n = normal(b);
+  return a == b ? 0 : std::atan2(norm(cross(m, n)), dot(m, n));
 }
 
 }  // namespace
@@ -71,6 +83,16 @@ void Shortening::add(std::span<const SurfacePoint> path) {
     }
     section.end = smooth ? nodes_.size() : flat_.size();
     sections_.push_back(section);
+  }
+  estimate_flat(result.error);
+}
+
+/// What the flat pieces of a path may be off by: half of each with the turn at either end.
+void Shortening::estimate_flat(LengthError& error) const {
+  for (std::size_t i = 1; i < pieces_.size(); ++i) {
+    const FlatPiece &p = pieces_[i - 1], &q = pieces_[i];
+    const double flat = (charts_.trusts(p.face) ? 0 : p.length) + (charts_.trusts(q.face) ? 0 : q.length);
+    if (flat > 0) error.add_flat(flat / 2, turn_between(charts_.mesh(), p.face, q.face));
   }
 }
 
@@ -133,7 +155,8 @@ void Shortening::measure(const Section& section) {
   const double finer = left_by_halving(section.length, length_of(nodes, 2));
   SmoothLength& result = lengths_[section.path];
   result.length += section.length + finer;
-  result.error += std::abs(finer) + error_of(nodes, part(nodes_, section));
+  result.error.add_extrapolation(finer);
+  estimate_smooth(nodes, part(nodes_, section), result.error);
 }
 
 Vec3 Shortening::position(const Section& section, std::size_t i) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/smooth/charts.hpp"
+#include "engine/smooth/error_estimate.hpp"
 #include "engine/smooth/newton_step.hpp"
 #include "engine/smooth/node_placing.hpp"
 #include "geodrome/engine/distances.hpp"
@@ -16,7 +17,7 @@ struct SmoothLength {
   double length = 0;  ///< on the smooth surface where that is trusted, else of the flat path; >= the straight line
   double flat = 0;    ///< of the flat path
   double smooth = 0;  ///< of the flat path, on trusted faces
-  double error = 0;   ///< estimate, of the nodes' distance and of the surface's own deviation
+  LengthError error;  ///< estimate
   bool moved = true;  ///< false if a part of the curve stayed above the flat path, because a step made it no shorter
 };
 
@@ -69,6 +70,7 @@ class Shortening {
   bool step(Section& section);
   bool accept(Section& section);
   void measure(const Section& section);
+  void estimate_flat(LengthError& error) const;
   void bound_from_below();
   Vec3 position(const Section& section, std::size_t i) const;
   template <class Value>

@@ -93,10 +93,11 @@ FrontPoint FrontField::beyond(const Met& met, const FrontTarget& target, const C
       .distance = crossing.distance,
       .gradient = crossing.gradient,
       .carried = (1 - share) * from.carried + share * to.carried + left_of_doubt * met.front.doubt() * curve.length,
-      .error = (1 - share) * from.error + share * to.error,
+      .error = LengthError::between(from.error, to.error, share),
       .flat = (1 - share) * from.flat + share * to.flat};
   const Index face = met.ray.half_edge / 3;
-  point.error += curves_.charts().deviation(face) * crossing.turn;
+  point.error.add_smooth(curves_.charts().expected_error(face), crossing.turn,
+                         crossing.length / curves_.charts().spacing(face));
   if (target.vertex == no_index) return point;
   if (met.faces == 1) halve(met, target, crossing, point);
   point.bend = bend_beyond(met, target, crossing);

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "geodrome/geometry.hpp"
+#include "engine/smooth/error_estimate.hpp"
 
 namespace geodrome {
 
@@ -16,7 +16,7 @@ struct FrontPoint {
   /// known: nothing is measured on from there.
   double bend = std::numeric_limits<double>::quiet_NaN();
   double carried = 0;  ///< estimated: by how much steps since the last path of its own have changed the distance
-  double error = 0;    ///< estimated, of the distance
+  LengthError error;   ///< of the distance, but for what steps have changed
   double flat = 0;     ///< of the way here, the length that lies on flat faces
 
   bool known() const { return distance < infinity; }

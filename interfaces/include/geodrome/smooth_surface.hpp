@@ -32,8 +32,8 @@ class GEODROME_VISIBLE SmoothSurface {
  public:
   virtual ~SmoothSurface() = default;
 
-  /// Returns how far this surface is estimated to be from the one that was sampled, above a face, in the units of the
-  /// mesh; infinite where the fit is not to be trusted, so that the flat face stays. O(1).
+  /// Returns how far this surface is estimated to be from the one that was sampled, at most above a face, in units of
+  /// the mesh; infinite where the fit is not to be trusted, so that the flat face stays. O(1).
   virtual double deviation(Index face) const = 0;
 
   /// Answers all places; the faces must be trusted. Positions and first derivatives are exact, second ones at least of

@@ -27,18 +27,44 @@ TEST(EngineDistances, OnTheSmoothSurfaceAreAtMostATenthAsFarFromTheTruth) {
     const DistanceErrors after = distance_errors(task.truth, smooth.distances, *smooth.estimated_error);
     EXPECT_LT(after.far.mean, 0.1 * before.far.mean) << shape;
     EXPECT_LT(after.near.mean, 0.2 * before.near.mean) << shape;
-    EXPECT_GT(after.far.within, 9 * after.far.pairs / 10) << shape;
+    EXPECT_GT(after.far.share_within(2), 0.9) << shape;
     EXPECT_EQ(before.far.pairs, after.far.pairs);
   }
 }
 
+struct Sampled {
+  const char* shape;
+  std::size_t points;
+  double noise;
+  double largest_share, least_share;  ///< of the paths, on the smooth surface
+};
+
+TEST(EngineDistances, AreEstimatedToBeOffByOneToFourTimesWhatTheyAre) {
+  const PluginHost host;
+  for (const auto& [shape, points, noise, largest_share, least_share] : {Sampled{"ellipsoid", 2000, 0, 1, 0.99},
+                                                                         {"bumpy", 2000, 0.001, 1, 0.8},
+                                                                         {"trefoil", 2000, 0, 0.3, 0},
+                                                                         {"torus", 2000, 0.005, 0.9, 0.5}}) {
+    TaskMaker maker(shape, {.faces = 5000, .targets = 60, .near = 1}, host);
+    const ManifoldTask task = maker.make({.shape = shape, .sampling = "uniform", .points = points, .noise = noise}, 2);
+    const EngineRun run = run_of(task, Metric::smooth);
+    ASSERT_TRUE(run.estimated_error && run.smooth_share);
+    EXPECT_GE(*run.smooth_share, least_share) << shape;
+    EXPECT_LE(*run.smooth_share, largest_share + 1e-12) << shape;
+    const DistanceErrors::Group far = distance_errors(task.truth, run.distances, *run.estimated_error).far;
+    EXPECT_GT(*run.estimated_error, far.mean) << shape;
+    EXPECT_LT(*run.estimated_error, 4 * far.mean) << shape;
+    EXPECT_GT(far.share_within(2), 0.9) << shape;
+  }
+}
+
 TEST(DistanceErrors, CountThePairsThatAreWithinAnEstimate) {
-  const std::vector<std::vector<double>> truth{{1, 1, 0.5, 0.01, 0}}, computed{{1.1, 0.98, 0.5, 0.02, 0}};
+  const std::vector<std::vector<double>> truth{{1, 1, 0.5, 0.01, 0}}, computed{{1.15, 0.98, 0.5, 0.02, 0}};
   const DistanceErrors errors = distance_errors(truth, computed, 0.05);
   EXPECT_EQ(errors.far.pairs, 3u);
-  EXPECT_EQ(errors.far.within, 2u);
-  EXPECT_EQ(errors.near.within, 0u);
-  EXPECT_EQ(distance_errors(truth, computed).far.within, 1u);
+  EXPECT_EQ(errors.far.within, (std::array<std::size_t, 3>{2, 2, 3}));
+  EXPECT_EQ(errors.near.within[2], 0u);
+  EXPECT_EQ(distance_errors(truth, computed).far.within[2], 1u);
   EXPECT_DOUBLE_EQ(errors.far.largest(), errors.far.largest_over);
 }
 

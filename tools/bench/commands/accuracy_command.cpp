@@ -22,8 +22,9 @@ constexpr const char* accuracy_meaning =
     "twentieth. mean: of |error|; over, under: of the pairs that are too long, too short. Exponents: least squares in\n"
     "log-log over all sizes and seeds of a variant, in the hole, to which epsilon is proportional. Seconds: processor\n"
     "time of a row, from a source to all points, if there are four sources. Of --metric smooth: estimate: the error\n"
-    "that the engine states, relative, mean of its rows; within: the share of far pairs whose error is at most that;\n"
-    "smooth: of the paths' length, what lies on the smooth surface.";
+    "that the engine states, relative, mean of its rows; ratio: that over the far mean; within, 2x, 4x: the share of\n"
+    "far pairs whose error is at most one, two, four estimates; smooth: of the paths' length, what lies on the smooth\n"
+    "surface.";
 
 struct AccuracyArguments {
   std::vector<std::string> shapes{"sphere", "torus", "ellipsoid", "trefoil", "genus2", "star", "bumpy"};
@@ -62,8 +63,8 @@ void print_errors(const DistanceErrors& e, const EngineRun& engine) {
               e.far.largest_over, e.far.largest_under, e.near.mean, e.near.largest_over, e.near.largest_under,
               engine.row_seconds);
   if (engine.estimated_error)
-    std::printf("  %9.2e %7.3f %7.3f", *engine.estimated_error,
-                static_cast<double>(e.far.within) / static_cast<double>(e.far.pairs), *engine.smooth_share);
+    std::printf("  %9.2e %7.2f %7.3f %7.3f %7.3f %7.3f", *engine.estimated_error, *engine.estimated_error / e.far.mean,
+                e.far.share_within(0), e.far.share_within(1), e.far.share_within(2), *engine.smooth_share);
   std::printf("\n");
 }
 
@@ -108,10 +109,11 @@ std::vector<Variant> chosen_variants(const AccuracyArguments& arguments) {
 }
 
 void print_titles(const std::string& shape) {
-  std::printf("\n%s\n%-8s %-6s %-8s %7s %6s %5s %8s %8s  %9s %9s %9s %9s %9s  %9s %9s %9s %9s  %9s %7s %7s\n",
-              shape.c_str(), "variant", "metric", "sampling", "points", "noise", "seed", "hole", "epsilon", "far mean",
-              "over", "under", "max over", "max under", "near mean", "max over", "max under", "seconds", "estimate",
-              "within", "smooth");
+  std::printf(
+      "\n%s\n%-8s %-6s %-8s %7s %6s %5s %8s %8s  %9s %9s %9s %9s %9s  %9s %9s %9s %9s  %9s %7s %7s %7s %7s %7s\n",
+      shape.c_str(), "variant", "metric", "sampling", "points", "noise", "seed", "hole", "epsilon", "far mean", "over",
+      "under", "max over", "max under", "near mean", "max over", "max under", "seconds", "estimate", "ratio", "within",
+      "2x", "4x", "smooth");
 }
 
 /// All sizes and seeds of a way to sample, and their exponents.

@@ -8,7 +8,9 @@ namespace geodrome::bench {
 namespace {
 
 void add(DistanceErrors::Group& group, double error, double estimate) {
-  ++group.pairs, group.mean += std::abs(error), group.within += std::abs(error) <= estimate;
+  ++group.pairs, group.mean += std::abs(error);
+  for (std::size_t k = 0; k < estimate_factors.size(); ++k)
+    group.within[k] += std::abs(error) <= estimate_factors[k] * estimate;
   if (error > 0) ++group.over_pairs, group.mean_over += error, group.largest_over = std::max(group.largest_over, error);
   if (error < 0)
     ++group.under_pairs, group.mean_under -= error, group.largest_under = std::max(group.largest_under, -error);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,9 @@ namespace geodrome::bench {
 /// What far and near mean: shares of the largest true distance.
 inline constexpr double far_share = 0.25, near_share = 0.05;
 
+/// How many times an estimate errors are held against.
+inline constexpr std::array<double, 3> estimate_factors{1, 2, 4};
+
 /// Relative errors of distances, by how far apart the points truly are. A mean over no pair is 0.
 struct DistanceErrors {
   struct Group {
@@ -16,8 +20,11 @@ struct DistanceErrors {
     double mean = 0;                       ///< of |error|, over all pairs
     double mean_over = 0, mean_under = 0;  ///< over the pairs that are too long, and those too short, both positive
     double largest_over = 0, largest_under = 0;
-    std::size_t within = 0;  ///< pairs whose |error| is at most the estimate
+    std::array<std::size_t, 3> within{};  ///< pairs whose |error| is at most so many estimates, by `estimate_factors`
 
+    double share_within(std::size_t factor) const {  ///< of the pairs; the factor by its place
+      return static_cast<double>(within[factor]) / static_cast<double>(pairs);
+    }
     double largest() const { return largest_over > largest_under ? largest_over : largest_under; }
   };
   Group far;   ///< at least a quarter of the largest true distance apart
