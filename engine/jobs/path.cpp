@@ -3,8 +3,8 @@
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/start.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/search/named_points.hpp"
 #include "engine/search/projection_rule.hpp"
-#include "engine/surface/selection.hpp"
 #include "geodrome/engine/session.hpp"
 
 namespace geodrome {

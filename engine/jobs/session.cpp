@@ -14,10 +14,10 @@
 #include "engine/report/provenance.hpp"
 #include "engine/search/distances.hpp"
 #include "engine/search/lower_bounds.hpp"
+#include "engine/search/named_points.hpp"
 #include "engine/search/parallel_rows.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/search/rows.hpp"
-#include "engine/surface/selection.hpp"
 
 namespace geodrome {
 

@@ -15,7 +15,7 @@
 #include "engine/jobs/start.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/float32_loss.hpp"
-#include "engine/surface/selection.hpp"
+#include "engine/search/named_points.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {

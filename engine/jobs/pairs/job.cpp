@@ -12,7 +12,7 @@
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/posix_file.hpp"
 #include "engine/report/off_surface_text.hpp"
-#include "engine/surface/selection.hpp"
+#include "engine/search/named_points.hpp"
 
 namespace geodrome {
 

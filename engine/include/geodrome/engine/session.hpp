@@ -72,7 +72,7 @@ class Session {
   std::vector<NamedPoint> select(std::span<const SurfacePoint> points) const;
   /// Points in space: the closest surface points, as `x y z` in a list. The observer is told of those that lie off the
   /// surface, as above. Throws OptionError for one that is not finite, or beyond 1e100.
-  /// O(log F) each, and for a mesh O(F log F) once a call.
+  /// O(log F) each, and once a call O(F log F) for a mesh, O(F) where distances are smooth.
   std::vector<NamedPoint> select(std::span<const Vec3> positions) const;
 
   /// Distances from all sources to all targets, a row per source, over threads: a search per source. Start distances of

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Paths, nearest sources, pairs and places under the smooth metric.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/engine/jobs/smooth_fixture.hpp"
+#include "tests/support/meshes.hpp"
+#include "tests/support/same_bytes.hpp"
+#include "tools/shapes/meshes.hpp"
+
+namespace geodrome::testing {
+namespace {
+
+using nlohmann::json;
+using test::same_bytes;
+
+TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
+  DistanceJob some = job();
+  some.sources = "7";
+  const Matrix matrix = made(some);
+  const Session session(file_, settings());
+  for (const Index to : {7u, 8u, 100u, 499u}) {
+    const auto ends = session.select(std::vector<Index>{7, to});
+    const PathResult path = session.path(ends[0], ends[1]);
+    EXPECT_NEAR(path.distance, matrix(0, to), 1e-14);
+    EXPECT_EQ(session.audit_path(ends[0], ends[1], path), std::vector<std::string>{});
+    ASSERT_EQ(path.points.size(), path.positions.size());
+    if (to == 7) continue;
+    for (const Vec3& p : path.positions) EXPECT_NEAR(norm(p), 1, 1e-14);
+    PathResult wrong = path;
+    wrong.length *= 1 + 1e-12, wrong.distance *= 1 + 1e-12;
+    EXPECT_EQ(session.audit_path(ends[0], ends[1], wrong).size(), 1u);
+  }
+  PathJob job{.input = file_, .settings = settings(), .from = "7", .to = "100", .out = folder_ / "p.csv"};
+  EXPECT_NEAR(run_path(job, silent_observer()).distance, matrix(0, 100), 1e-14);
+}
+
+TEST_F(SmoothMetric, OfAPointNamedByItsCoordinatesIsThatOfItsRow) {
+  const Session session(file_, settings());
+  const auto all = session.select("all"), named = session.select(points_);
+  std::size_t moved = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    EXPECT_EQ(named[i].place.at, all[i].place.at) << i;
+    moved += all[i].place.vertex == no_index;
+  }
+  EXPECT_GT(moved, 100u);
+  const std::span<const NamedPoint> rows(&all[3], 5), places(&named[3], 5);
+  EXPECT_EQ(session.distances(places, named), session.distances(rows, all));
+  EXPECT_EQ(session.path(named[3], named[77]).distance, session.path(all[3], all[77]).distance);
+  const std::vector<Distance> to_rows = session.nearest(rows, all), to_places = session.nearest(places, named);
+  for (std::size_t j = 0; j < all.size(); ++j) EXPECT_EQ(to_rows[j].value, to_places[j].value);
+  DistanceJob by_place = job(), by_row = job();
+  by_place.targets = "@" + (folder_ / "s.xyz").string();
+  by_place.sources = "@" + (folder_ / "some.xyz").string();
+  std::vector<Vec3> some;
+  for (std::size_t i = 0; i < points_.size(); i += 25) some.push_back(points_[i]);
+  write_points(folder_ / "some.xyz", some);
+  EXPECT_EQ(made(by_place).values, made(by_row).values);
+}
+
+TEST_F(SmoothMetric, OfAPointBesideAMeshIsOfTheClosestOnTheSmoothSurface) {
+  write_mesh(folder_ / "m.ply", shapes::icosphere(320));
+  const Session session(folder_ / "m.ply", settings());
+  const auto named = session.select(std::span(points_).first(60));
+  const std::vector<double> d = session.distances({&named[0], 1}, named);
+  for (std::size_t j = 1; j < named.size(); ++j) EXPECT_NEAR(d[j], arc(points_[0], points_[j]), 2e-5) << j;
+}
+
+}  // namespace
+}  // namespace geodrome::testing
