@@ -87,7 +87,8 @@ struct PathJob {
 /// prepared solver, and the map of one search.
 PathResult run_path(const PathJob& job, Observer& observer);
 
-/// Distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off.
+/// Distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off; under the
+/// smooth metric on the triangles and on the smooth surface.
 struct CompareJob {
   std::filesystem::path input;
   RunSettings settings;                 ///< `stages`: of those that are not varied; `threads` is not used
