@@ -277,17 +277,20 @@ std::vector<std::string> Session::audit_pairs(std::span<const NamedPair> pairs,
     throw OptionError(
         "there are " + std::to_string(distances.size()) + " distances, but " + std::to_string(pairs.size()) + " pairs",
         "give what `pairs` gave");
+  if (impl_->settings.metric == Metric::smooth)
+    return audit_searched(surface(), impl_->prepared(), pairs, distances, impl_->settings, impl_->observer);
   StageContext context = impl_->context("audit", 1);
   const PairAudit audit = geodrome::audit_pairs(*surface().mesh, impl_->prepared(), pairs, distances, context,
                                                 surface().made_from == InputKind::points);
-  if (audit.holds()) return {};
-  return {"pair " + std::to_string(audit.worst_pair) + " and a search for it differ by more than the factor allows"};
+  return broken_promises(audit, audit.worst_pair);
 }
 
 std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (pairs[i].from.start != 0 || pairs[i].to.start != 0)
       throw OptionError("pair " + std::to_string(i) + " has a start distance, which pairs have not", "set it to 0");
+  if (impl_->settings.metric == Metric::smooth)
+    return search_pairs(surface(), impl_->prepared(), pairs, impl_->settings, impl_->observer).smooth;
   const PairOracle& oracle = *impl_->oracle().oracle;
   const unsigned threads = thread_count(impl_->settings);
   StageContext context = impl_->context("queries", threads);

@@ -68,6 +68,21 @@ TEST_F(SmoothDistances, HavePathsThatLieOnTheSurface) {
   }
 }
 
+TEST_F(SmoothDistances, OfPairsNeedNoOracle) {
+  make("sphere", "500");
+  write_bytes(folder_ / "pairs.txt", "0, 3\n0, 9\n");
+  std::vector<std::string> words{"queries",   file("s.xyz"), "--pairs",       file("pairs.txt"),
+                                 "-o",        file("q.csv"), "--metric",      "smooth",
+                                 "--tangent", "test_sphere", "--plugin-path", spheres};
+  const Outcome pairs = run(words);
+  ASSERT_EQ(pairs.status, 0) << pairs.err;
+  EXPECT_NE(pairs.out.find(", 1 search; "), std::string::npos) << pairs.out;
+  words.insert(words.end(), {"--index", file("i")});
+  const Outcome refused = run(words);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("leave --index out, or say --metric flat"), std::string::npos) << refused.err;
+}
+
 TEST_F(SmoothDistances, AreComparedBesideFlatOnes) {
   make("sphere", "600");
   const std::vector<Vec3> p = read_input(file("s.xyz"), {}).positions;

@@ -37,6 +37,36 @@ TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
   EXPECT_NEAR(run_path(job, silent_observer()).distance, matrix(0, 100), 1e-14);
 }
 
+TEST_F(SmoothMetric, OfPairsIsThatOfRows) {
+  write_bytes(folder_ / "p.txt", "3, 17\n8, 8\n3, 400\n17, 3\n0.1 0.2 0.97, 3\n");
+  const Session session(file_, settings());
+  const PairList list = select_pairs(folder_ / "p.txt", session.input(), session.surface());
+  const std::vector<double> values = session.pairs(list.pairs);
+  for (std::size_t i = 0; i < list.pairs.size(); ++i)
+    EXPECT_NEAR(values[i], session.distances({&list.pairs[i].from, 1}, {&list.pairs[i].to, 1})[0], 1e-13) << i;
+  EXPECT_EQ(values[1], 0);
+  EXPECT_NEAR(values[0], arc(points_[3], points_[17]), 1e-4);
+  EXPECT_EQ(session.audit_pairs(list.pairs, values), std::vector<std::string>{});
+  std::vector<double> wrong = values;
+  wrong[2] *= 1 + 1e-9;
+  EXPECT_EQ(session.audit_pairs(list.pairs, wrong).size(), 1u);
+
+  PairJob job{.input = file_, .settings = settings(), .pairs = folder_ / "p.txt", .out = folder_ / "p.npy"};
+  const JobReport report = run_pairs(job, silent_observer());
+  EXPECT_EQ(report.broken_promises, std::vector<std::string>{});
+  EXPECT_TRUE(same_bytes(read_npy(job.out).values, values));
+  const json found = json::parse(report.json);
+  EXPECT_FALSE(found.contains("oracle"));
+  EXPECT_EQ(found["pairs"]["searches"], 4);
+  EXPECT_EQ(found["pairs"]["smooth"]["paths"], 4);
+  EXPECT_EQ(found["audit"]["audited"], true);
+  EXPECT_NE(report.summary.find("5 in "), std::string::npos) << report.summary;
+  EXPECT_NE(report.summary.find("\nsmooth     100 % of the length"), std::string::npos) << report.summary;
+  job.settings.threads = 1;
+  run_pairs(job, silent_observer());
+  EXPECT_TRUE(same_bytes(read_npy(job.out).values, values));
+}
+
 TEST_F(SmoothMetric, OfAPointNamedByItsCoordinatesIsThatOfItsRow) {
   const Session session(file_, settings());
   const auto all = session.select("all"), named = session.select(points_);

@@ -133,7 +133,10 @@ TEST_F(SmoothMetric, RefusesWhatItDoesNotGoWith) {
       },
       "metric.flat");
   PairJob pairs{.input = file_, .settings = settings(), .pairs = folder_ / "p.txt", .out = folder_ / "p.csv"};
+  pairs.index = folder_ / "p.index";
   EXPECT_THROW(run_pairs(pairs, silent_observer()), OptionError);
+  pairs.index.clear(), pairs.settings.stages.solver = "heat";
+  EXPECT_THROW(run_pairs(pairs, silent_observer()), CapabilityError);
 }
 
 }  // namespace

@@ -52,14 +52,16 @@ struct JobReport {
 /// neither. Of what is unreachable the bound is +inf, of what lies beyond `max_distance` a finite number.
 JobReport run_distances(const DistanceJob& job, Observer& observer);
 
-/// Distances of many pairs of points, by the oracle of a solver that provides pair_queries. Points of a cloud lie at
-/// their closest surface points, D = max(surface distance, |st|).
+/// Distances of many pairs of points, by the oracle of a solver that provides pair_queries; under the smooth metric by
+/// a search from every point that pairs begin at, by a solver that provides paths. Points of a cloud lie at their
+/// closest surface points, D = max(surface distance, |st|).
 struct PairJob {
   std::filesystem::path input;
   RunSettings settings;
   std::filesystem::path pairs;   ///< a pair a line: see `select_pairs`
   std::filesystem::path out;     ///< .npy (float64, one a pair) or .csv (pair,from,to,distance,reach)
-  std::filesystem::path index;   ///< the oracle: read if the file is there, else built and saved there; empty: built
+  std::filesystem::path index;   ///< the oracle: read if the file is there, else built and saved there; empty: built;
+                                 ///< no smooth distances are made by it
   std::filesystem::path report;  ///< .json
 };
 

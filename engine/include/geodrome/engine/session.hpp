@@ -119,8 +119,9 @@ class Session {
                                       ProjectionRule rule = ProjectionRule::project) const;
   std::vector<std::string> audit_pairs(std::span<const NamedPair> pairs, std::span<const double> distances) const;
 
-  /// A distance for each pair, over threads, by the oracle of the solver, which is built with the first call and kept.
-  /// Throws OptionError for an end with a start distance, CapabilityError if the solver has no oracle.
+  /// A distance for each pair, over threads, by the oracle of the solver, which is built with the first call and kept;
+  /// under the smooth metric by a search from each place that pairs begin at. Throws OptionError for an end with a
+  /// start distance, CapabilityError if the solver has no oracle, or, for a search, not what the ends take.
   std::vector<double> pairs(std::span<const NamedPair> pairs) const;
 
  private:
