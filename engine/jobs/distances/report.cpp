@@ -101,7 +101,7 @@ Json to_json(const NearestResult& nearest) {
   Json json{{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
             {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
   if (nearest.certified) json["certified"] = to_json(*nearest.certified);
-  if (nearest.smooth) json["smooth"] = to_json(*nearest.smooth);
+  if (nearest.smooth) json["smooth"] = to_json(*nearest.smooth), json["compared_sources"] = nearest.compared;
   return json;
 }
 

@@ -37,6 +37,44 @@ TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
   EXPECT_NEAR(run_path(job, silent_observer()).distance, matrix(0, 100), 1e-14);
 }
 
+TEST_F(SmoothMetric, NamesTheSourceThatIsNearestOnTheSmoothSurface) {
+  const Session session(file_, settings()), flat(file_, settings(Metric::flat));
+  for (const double limit : {infinity, 0.15}) {
+    auto sources = session.select("0:500:5");
+    const auto all = session.select("all");
+    sources[3].start = 0.02;
+    const std::vector<double> rows = session.distances(sources, all);
+    const std::vector<Distance> nearest = session.nearest(sources, all, limit);
+    const std::vector<Distance> on_triangles = flat.nearest(sources, all, limit);
+    std::size_t renamed = 0, reached = 0;
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      double least = infinity;
+      for (std::size_t i = 0; i < sources.size(); ++i) least = std::min(least, rows[i * all.size() + j]);
+      EXPECT_EQ(nearest[j].reach == Reach::reached, least <= limit) << j;
+      if (nearest[j].reach != Reach::reached) continue;
+      EXPECT_NEAR(nearest[j].value, least, 1e-13) << j;
+      EXPECT_NEAR(rows[nearest[j].source * all.size() + j], least, 1e-13) << j;
+      ++reached, renamed += nearest[j].source != on_triangles[j].source;
+    }
+    EXPECT_GT(renamed, 0u);
+    EXPECT_GT(reached, 200u);
+    EXPECT_EQ(session.audit_nearest(sources, all, nearest, limit), std::vector<std::string>{});
+  }
+}
+
+TEST_F(SmoothMetric, OfNearestSourcesIsAuditedAndTold) {
+  const Session session(file_, settings());
+  const auto sources = session.select("0,7 + 0.2,9"), all = session.select("all");
+  std::vector<Distance> nearest = session.nearest(sources, all, 1.5);
+  EXPECT_EQ(session.audit_nearest(sources, all, nearest, 1.5), std::vector<std::string>{});
+  nearest[3].value *= 1 + 1e-12;
+  EXPECT_EQ(session.audit_nearest(sources, all, nearest, 1.5).size(), 1u);
+  DistanceJob job{.input = file_, .settings = settings(), .sources = "0,7,9", .nearest = folder_ / "n.csv"};
+  const json found = json::parse(run(job).json)["nearest"];
+  EXPECT_TRUE(found.contains("smooth"));
+  EXPECT_EQ(found["compared_sources"], 3);
+}
+
 TEST_F(SmoothMetric, OfPairsIsThatOfRows) {
   write_bytes(folder_ / "p.txt", "3, 17\n8, 8\n3, 400\n17, 3\n0.1 0.2 0.97, 3\n");
   const Session session(file_, settings());

@@ -97,8 +97,9 @@ class Session {
                                      const DistanceOptions& options = {}) const;
 
   /// For every target the distance from the nearest source, and the place of that in `sources`: one search on one
-  /// thread. Throws OptionError for a start distance or a limit that is no number >= 0, CapabilityError for what the
-  /// solver does not provide.
+  /// thread, and under the smooth metric one from each source that may be nearer than what that found. Throws
+  /// OptionError for a start distance or a limit that is no number >= 0, CapabilityError for what the solver does not
+  /// provide.
   std::vector<Distance> nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                 double max_distance = infinity) const;
 
