@@ -45,6 +45,7 @@ Remedy insertion_or_default_rule();             ///< for a rule that has no path
 // Metrics
 Remedy flat_metric();                     ///< for what is not measured on a smooth surface
 Remedy flat_metric_or_other_estimator();  ///< for a tangent estimator that fits none
+Remedy smooth_metric_or_no_flat_path();   ///< for a flat path beside a path that is flat
 Remedy no_index_or_flat_metric();         ///< for an oracle's index beside smooth distances
 
 // Choices of plugins

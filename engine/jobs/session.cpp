@@ -229,7 +229,9 @@ PathResult Session::path(const NamedPoint& from, const NamedPoint& to, Projectio
   PathResult path;
   impl_->on_path(from, to, rule, [&](const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
     path = shortest_path(solver, *on.mesh, on.source, *on.targets, context);
-    if (solver.smooth) smooth_path(solver, on.source, *on.targets, path);
+    if (!solver.smooth) return;
+    path.flat = FlatPath{path.length, path.points, path.positions};
+    smooth_path(solver, on.source, *on.targets, path);
   });
   path.from_off_surface = from.off_surface, path.to_off_surface = to.off_surface;
   return path;

@@ -68,6 +68,21 @@ TEST_F(SmoothDistances, HavePathsThatLieOnTheSurface) {
   }
 }
 
+TEST_F(SmoothDistances, HaveTheirFlatPathsBesideThem) {
+  make("sphere", "1000");
+  const Outcome path = run({"path", file("s.xyz"), "--from", "0", "--to", "7", "--metric", "smooth", "--tangent",
+                            "test_sphere", "--plugin-path", spheres, "-o", file("p.csv"), "--flat", file("f.json")});
+  ASSERT_EQ(path.status, 0) << path.err;
+  const json flat = json::parse(read_bytes(folder_ / "f.json"));
+  EXPECT_NE(path.out.find("\non the triangles: path of " + std::to_string(flat["points"].size()) + " points, length "),
+            std::string::npos)
+      << path.out;
+  const Outcome refused =
+      run({"path", file("s.xyz"), "--from", "0", "--to", "7", "-o", file("p.csv"), "--flat", file("f.json")});
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.err.find("leave --flat out, or say --metric smooth"), std::string::npos) << refused.err;
+}
+
 TEST_F(SmoothDistances, OfPairsNeedNoOracle) {
   make("sphere", "500");
   write_bytes(folder_ / "pairs.txt", "0, 3\n0, 9\n");

@@ -37,6 +37,26 @@ TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
   EXPECT_NEAR(run_path(job, silent_observer()).distance, matrix(0, 100), 1e-14);
 }
 
+TEST_F(SmoothMetric, WritesTheFlatPathBesideTheCurve) {
+  const Session session(file_, settings());
+  const auto ends = session.select("7,100");
+  const PathResult curve = session.path(ends[0], ends[1]),
+                   flat = Session(file_, settings(Metric::flat)).path(ends[0], ends[1]);
+  ASSERT_TRUE(curve.flat);
+  EXPECT_EQ(curve.flat->length, flat.length);
+  EXPECT_EQ(curve.flat->points, flat.points);
+  EXPECT_FALSE(flat.flat);
+  PathJob job{.input = file_, .settings = settings(), .from = "7", .to = "100", .flat = folder_ / "f.json"};
+  run_path(job, silent_observer());
+  const json written = json::parse(read_bytes(job.flat));
+  EXPECT_EQ(written["length"], flat.length);
+  EXPECT_EQ(written["points"].size(), flat.points.size());
+  job.settings.metric = Metric::flat;
+  EXPECT_THROW(run_path(job, silent_observer()), OptionError);
+  job.settings.metric = Metric::smooth, job.out = job.flat;
+  EXPECT_THROW(run_path(job, silent_observer()), OptionError) << "one file for both";
+}
+
 TEST_F(SmoothMetric, NamesTheSourceThatIsNearestOnTheSmoothSurface) {
   const Session session(file_, settings()), flat(file_, settings(Metric::flat));
   for (const double limit : {infinity, 0.15}) {

@@ -81,12 +81,13 @@ struct PathJob {
   std::string from, to;                            ///< one entry each, as `select` reads it
   ProjectionRule query = ProjectionRule::project;  ///< not `printed`, whose minima are lengths of no path
   std::filesystem::path out;
+  std::filesystem::path flat;  ///< under the smooth metric: the path on the triangles, with its length as distance
 };
 
-/// Does the whole job, as `run_distances`, and gives the path back; `out` may be empty. Throws any geodrome::Error:
-/// CapabilityError for a solver without paths, OptionError for an end that was dropped, has a start distance or is not
-/// one point. `broken_promises` of the path tells of its audit: see `Session::audit_path`. Memory: the surface, the
-/// prepared solver, and the map of one search.
+/// Does the whole job, as `run_distances`, and gives the path back; `out` and `flat` may be empty. Throws any
+/// geodrome::Error: CapabilityError for a solver without paths, OptionError for an end that was dropped, has a start
+/// distance or is not one point. `broken_promises` of the path tells of its audit: see `Session::audit_path`. Memory:
+/// the surface, the prepared solver, and the map of one search.
 PathResult run_path(const PathJob& job, Observer& observer);
 
 /// Distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off; under the
