@@ -64,4 +64,9 @@ PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std
   return result;
 }
 
+std::vector<std::string> broken_promises(const PairAudit& audit, std::size_t pair) {
+  if (audit.holds()) return {};
+  return {"pair " + std::to_string(pair) + " and a search for it differ by more than the factor allows"};
+}
+
 }  // namespace geodrome

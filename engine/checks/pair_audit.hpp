@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/checks/invariants.hpp"
 #include "engine/search/prepared_solver.hpp"
@@ -28,5 +29,8 @@ struct PairAudit {
 /// distances, one a pair; `bounded`: or, if longer, the straight line. Throws what the solver throws.
 PairAudit audit_pairs(const SurfaceMesh& mesh, const PreparedSolver& solver, std::span<const NamedPair> pairs,
                       std::span<const double> values, RunContext& context, bool bounded = false);
+
+/// The line of an audit that found a promise broken by `pair`, none if it found none.
+std::vector<std::string> broken_promises(const PairAudit& audit, std::size_t pair);
 
 }  // namespace geodrome

@@ -33,6 +33,8 @@ constexpr RemedySentence sentences[] = {
     {"query.insert_or_project", "set `query` to insert, or leave it at project"},
     {"metric.flat", "set `metric` to flat"},
     {"metric.flat_or_estimator", "choose a `tangent` estimator that does, as jet, or set `metric` to flat"},
+    {"metric.flat_or_no_index", "leave `index` empty, or set `metric` to flat"},
+    {"metric.smooth_or_no_flat", "leave `flat` empty, or set `metric` to smooth"},
     {"varied.syntax", "write STAGE=A,B[:k=v,...] in `varied`, e.g. solver=chen_han,cgal"},
     {"varied.only", "name all choices in `varied`"},
     {"varied.solver_or_points", "vary the solver, or set `read.as` to points to take the vertices as a sample"},
@@ -110,6 +112,8 @@ Remedy insertion_or_default_rule() { return made(row("query.insert_or_project"))
 
 Remedy flat_metric() { return made(row("metric.flat")); }
 Remedy flat_metric_or_other_estimator() { return made(row("metric.flat_or_estimator")); }
+Remedy no_index_or_flat_metric() { return made(row("metric.flat_or_no_index")); }
+Remedy smooth_metric_or_no_flat_path() { return made(row("metric.smooth_or_no_flat")); }
 
 Remedy varied_syntax() { return made(row("varied.syntax")); }
 Remedy varied_only() { return made(row("varied.only")); }

@@ -43,8 +43,10 @@ Remedy default_rule_or_points();                ///< for a rule that needs a sam
 Remedy insertion_or_default_rule();             ///< for a rule that has no paths
 
 // Metrics
-Remedy flat_metric();                    ///< for what is not measured on a smooth surface
+Remedy flat_metric();                     ///< for what is not measured on a smooth surface
 Remedy flat_metric_or_other_estimator();  ///< for a tangent estimator that fits none
+Remedy smooth_metric_or_no_flat_path();   ///< for a flat path beside a path that is flat
+Remedy no_index_or_flat_metric();         ///< for an oracle's index beside smooth distances
 
 // Choices of plugins
 Remedy varied_syntax();            ///< for choices that cannot be read

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "engine/formats/remedies.hpp"
 #include "engine/formats/table.hpp"
 #include "engine/jobs/check_outputs.hpp"
 #include "engine/jobs/start.hpp"
 #include "engine/output/atomic_file.hpp"
+#include "engine/search/named_points.hpp"
 #include "engine/search/projection_rule.hpp"
-#include "engine/surface/selection.hpp"
 #include "geodrome/engine/session.hpp"
 
 namespace geodrome {
@@ -27,13 +28,28 @@ std::vector<NamedPoint> end_of(const Selection& selection, const char* what, con
   return points;
 }
 
+void write(const PathResult& path, const std::filesystem::path& file) {
+  if (!file.empty()) write_atomically(file, format_to_write(file, Content::path).write_path(path));
+}
+
+/// The flat path of a smooth one, as a path of its own.
+PathResult flat_path(const PathResult& smooth) {
+  const FlatPath& flat = *smooth.flat;
+  const double distance = flat.points.empty() ? smooth.distance : flat.length;
+  return {.distance = distance, .length = flat.length, .points = flat.points, .positions = flat.positions};
+}
+
 }  // namespace
 
 PathResult run_path(const PathJob& job, Observer& observer) {
   check_path_rule(job.query);
-  check_ending(job.out, Content::path);
+  for (const std::filesystem::path* file : {&job.out, &job.flat}) check_ending(*file, Content::path);
+  if (!job.flat.empty() && job.settings.metric == Metric::flat)
+    throw OptionError("there is no path on the triangles beside the path, which is that itself",
+                      remedies::smooth_metric_or_no_flat_path());
   const std::string selections[] = {job.from, job.to};
-  check_outputs({&job.out, 1}, files_read(job.input, job.settings.read, selections));
+  const std::filesystem::path outputs[] = {job.out, job.flat};
+  check_outputs(outputs, files_read(job.input, job.settings.read, selections));
   constexpr const char *start = "the start of the path", *end = "the end of the path";
   const Selection from = parse_end(job.from, start), to = parse_end(job.to, end);
   const Session session(job.input, job.settings, observer, Provides::paths);
@@ -41,7 +57,8 @@ PathResult run_path(const PathJob& job, Observer& observer) {
   tell_off_surface(session.input(), session.surface(), {{from, first}, {to, last}}, observer);
   PathResult path = session.path(first[0], last[0], job.query);
   path.broken_promises = session.audit_path(first[0], last[0], path, job.query);
-  if (!job.out.empty()) write_atomically(job.out, format_to_write(job.out, Content::path).write_path(path));
+  write(path, job.out);
+  if (path.flat) write(flat_path(path), job.flat);
   return path;
 }
 

@@ -14,10 +14,10 @@
 #include "engine/report/provenance.hpp"
 #include "engine/search/distances.hpp"
 #include "engine/search/lower_bounds.hpp"
+#include "engine/search/named_points.hpp"
 #include "engine/search/parallel_rows.hpp"
 #include "engine/search/projection_rule.hpp"
 #include "engine/search/rows.hpp"
-#include "engine/surface/selection.hpp"
 
 namespace geodrome {
 
@@ -229,7 +229,9 @@ PathResult Session::path(const NamedPoint& from, const NamedPoint& to, Projectio
   PathResult path;
   impl_->on_path(from, to, rule, [&](const PreparedSolver& solver, const SourceSurface& on, RunContext& context) {
     path = shortest_path(solver, *on.mesh, on.source, *on.targets, context);
-    if (solver.smooth) smooth_path(solver, on.source, *on.targets, path);
+    if (!solver.smooth) return;
+    path.flat = FlatPath{path.length, path.points, path.positions};
+    smooth_path(solver, on.source, *on.targets, path);
   });
   path.from_off_surface = from.off_surface, path.to_off_surface = to.off_surface;
   return path;
@@ -277,17 +279,20 @@ std::vector<std::string> Session::audit_pairs(std::span<const NamedPair> pairs,
     throw OptionError(
         "there are " + std::to_string(distances.size()) + " distances, but " + std::to_string(pairs.size()) + " pairs",
         "give what `pairs` gave");
+  if (impl_->settings.metric == Metric::smooth)
+    return audit_searched(surface(), impl_->prepared(), pairs, distances, impl_->settings, impl_->observer);
   StageContext context = impl_->context("audit", 1);
   const PairAudit audit = geodrome::audit_pairs(*surface().mesh, impl_->prepared(), pairs, distances, context,
                                                 surface().made_from == InputKind::points);
-  if (audit.holds()) return {};
-  return {"pair " + std::to_string(audit.worst_pair) + " and a search for it differ by more than the factor allows"};
+  return broken_promises(audit, audit.worst_pair);
 }
 
 std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {
   for (std::size_t i = 0; i < pairs.size(); ++i)
     if (pairs[i].from.start != 0 || pairs[i].to.start != 0)
       throw OptionError("pair " + std::to_string(i) + " has a start distance, which pairs have not", "set it to 0");
+  if (impl_->settings.metric == Metric::smooth)
+    return search_pairs(surface(), impl_->prepared(), pairs, impl_->settings, impl_->observer).smooth;
   const PairOracle& oracle = *impl_->oracle().oracle;
   const unsigned threads = thread_count(impl_->settings);
   StageContext context = impl_->context("queries", threads);

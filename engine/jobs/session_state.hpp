@@ -54,12 +54,13 @@ class SessionState {
     return *planned_;
   }
 
-  /// The oracle of the solver, from the index file if one is named and there, else built: by the first call, which
-  /// alone regards `index`, or the next one if that throws. Throws as `demand_pair_queries` and `ready_oracle`.
+  /// The oracle of the solver, which measures on the triangles, from the index file if one is named and there, else
+  /// built: by the first call, which alone regards `index`, or the next one if that throws. Throws as
+  /// `demand_pair_queries` and `ready_oracle`.
   const ReadyOracle& oracle(const std::filesystem::path& index = {}) {
     const std::lock_guard lock(building_);
     if (oracle_.oracle) return oracle_;
-    demand_pair_queries(plugin.info, host, settings.metric);
+    demand_pair_queries(plugin.info, host);
     oracle_ = ready_oracle(*start.surface().mesh, prepared(), index, settings, observer);
     return oracle_;
   }

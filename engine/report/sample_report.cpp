@@ -10,7 +10,7 @@ namespace geodrome {
 
 namespace {
 
-constexpr double not_computed = std::numeric_limits<double>::quiet_NaN();
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 SurfaceDistance distance_of(const Input& input, const PlacedSurface& surface) {
   SurfaceDistance result;
@@ -29,7 +29,7 @@ SurfaceDistance distance_of(const Input& input, const PlacedSurface& surface) {
 
 /// A sample's points are spread over a surface: their number goes with the square of 1 / epsilon.
 double points_for(double wanted, double epsilon, std::size_t live) {
-  if (!(epsilon > wanted)) return not_computed;  // also if it is NaN
+  if (!(epsilon > wanted)) return not_known;  // also if it is NaN
   return static_cast<double>(live) * (epsilon / wanted) * (epsilon / wanted);
 }
 

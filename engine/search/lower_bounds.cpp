@@ -21,8 +21,10 @@ void demand_lower_bounds(const Plugin<ShortestPathSolver>& solver) {
 
 void check_bounds_metric(Metric metric) {
   if (metric == Metric::smooth)
-    throw OptionError("lower bounds are known of distances on the triangles, not of smooth ones",
-                      remedies::flat_metric());
+    throw OptionError(
+        "what solvers prove are lower bounds of distances on the triangles; of smooth ones there is none but the "
+        "straight line",
+        remedies::flat_metric());
 }
 
 double lower_bound(const PreparedSolver& solver, const ShortestPathMap& map, bool source_has_factor, const Place& to,

@@ -88,14 +88,14 @@ std::shared_ptr<const SmoothMetric> metric_of(const PlacedSurface& surface) {
 }
 
 void settle_places(PlacedSurface& surface) {
-  const auto metric = metric_of(surface);
   std::vector<SettledPoint> points;
   const auto each = [&](auto&& use) {
     for (Place& place : surface.places)
       if (place.state == Place::State::on_surface && place.vertex == no_index) use(place);
   };
   each([&](const Place& place) { points.push_back({place.position, place.at}); });
-  cross_boundary(metric->plugin, [&] { settle(metric->charts, points); });
+  cross_boundary(surface.smooth->record.plugin,
+                 [&] { settle(SmoothCharts(surface.mesh, surface.smooth->surface), points); });
   auto point = points.begin();
   each([&](Place& place) { place.at = (point++)->at; });
 }

@@ -7,6 +7,7 @@
 #include "engine/formats/number_text.hpp"
 #include "engine/smooth/fronts/march.hpp"
 #include "engine/smooth/fronts/path_end.hpp"
+#include "engine/search/nearest_sources.hpp"
 
 namespace geodrome {
 
@@ -198,6 +199,7 @@ MeasuredNearest measured_nearest(const PreparedSolver& solver, std::span<const N
     result.smooth = smooth_nearest(solver, map, sources, targets, max_distance, result.distances);
   };
   result.flat = nearest_distances(solver, sources, targets, result.radius, context, watch_map, Keep::map);
+  compare_sources(solver, sources, targets, max_distance, context, result);
   return result;
 }
 

@@ -51,11 +51,13 @@ struct MeasuredNearest {
   std::vector<Distance> flat;           ///< those on the triangles, within `radius`, if the others are smooth
   std::optional<SmoothFigures> smooth;  ///< if they are
   double radius = infinity;             ///< of the search
+  std::uint64_t compared = 0;           ///< sources that were searched from by themselves too
 
   std::span<const Distance> searched() const { return smooth ? flat : distances; }
 };
 
-/// As `nearest_distances`, under whatever metric the solver has: the nearest source is that on the triangles.
+/// As `nearest_distances`, under whatever metric the solver has; where that is smooth, sources that are nearly as near
+/// on the triangles are compared (`compare_sources`).
 MeasuredNearest measured_nearest(const PreparedSolver& solver, std::span<const NamedPoint> sources,
                                  const TargetList& targets, double max_distance, RunContext& context,
                                  const WatchNearest& watch = {});

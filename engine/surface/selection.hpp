@@ -11,7 +11,7 @@
 #include "geodrome/engine/named_points.hpp"
 
 /// The lists of points and pairs that users write, in two steps: `parse_...` knows the syntax and needs no surface, so
-/// that mistakes are told before one is made; `resolve` finds the places.
+/// that mistakes are told before one is made; `resolve` (search/named_points.hpp) finds the places.
 namespace geodrome {
 
 /// Numbers beyond it are refused, as those of an input are: their squares must stay in the range of double.
@@ -64,16 +64,5 @@ PairSelection parse_pairs(const std::filesystem::path& file);
 /// A point of the surface's mesh under the name `label`. Throws OptionError, naming it, for a face that is not there
 /// and for barycentric coordinates that are negative or do not sum to 1.
 NamedPoint point_on(const SurfaceMesh& mesh, const SurfacePoint& at, const std::string& label);
-
-/// The places of a list. Throws for a row or face that is not there: InputError naming file and line, OptionError for a
-/// list in the text itself. O(entries), and a search of the closest point for each position.
-std::vector<NamedPoint> resolve(const Selection& selection, const Input& input, const PlacedSurface& surface);
-PairList resolve(const PairSelection& selection, const Input& input, const PlacedSurface& surface);
-
-/// Throws InputError, naming the point, the place and a row that would do, for a point that was named and is not on the
-/// part of the sample that the surface is of. `where`: what the message begins with.
-void demand_on_part(const NamedPoint& point, const PlacedSurface& surface, const std::string& where);
-/// The same for all points of a list that names them; "all" names none.
-void demand_on_part(const Selection& selection, std::span<const NamedPoint> points, const PlacedSurface& surface);
 
 }  // namespace geodrome

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "engine/formats/number_text.hpp"
-#include "engine/surface/selection.hpp"
+#include "engine/search/named_points.hpp"
 #include "tests/fuzzing/memory_file.hpp"
 #include "tests/fuzzing/target.hpp"
 

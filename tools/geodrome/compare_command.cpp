@@ -68,6 +68,7 @@ void add_compare(CLI::App& app, Action& action) {
       ->capture_default_str();
   add_judgement(command, job);
   add_comparison_outputs(command, arguments);
+  add_metric(command, job.settings);
   add_solver(command, job.settings.stages);
   add_sample_stages(command, job.settings.stages);
   add_read_options(command, job.settings.read);

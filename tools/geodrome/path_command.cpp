@@ -19,6 +19,9 @@ int write_path(const PathArguments& arguments) {
   else
     std::cout << "distance " << path.distance << ", path of " << path.points.size() << " points, length " << path.length
               << "\n";
+  if (path.flat && !path.flat->points.empty())
+    std::cout << "on the triangles: path of " << path.flat->points.size() << " points, length " << path.flat->length
+              << "\n";
   const auto tell_off = [](const char* end, double distance) {
     if (distance > 0)
       std::cout << end << " lies " << distance << " off the surface: its closest surface point is taken\n";
@@ -41,6 +44,10 @@ void add_path(CLI::App& app, Action& action) {
   command.add_option("--to", job.to, entry)->required()->type_name("J");
   command.add_option("-o,--output", job.out, "The polyline: " + help_for_writing(Content::path))
       ->required()
+      ->type_name("FILE");
+  command
+      .add_option("--flat", job.flat,
+                  "With --metric smooth: the path on the triangles too, which the curve was made from")
       ->type_name("FILE");
   add_choice<ProjectionRule>(command, "--query", job.query,
                              {{"project", ProjectionRule::project}, {"insert", ProjectionRule::insert}},

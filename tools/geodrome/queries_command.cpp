@@ -10,7 +10,9 @@ constexpr const char* about_pairs =
     "A pair a line, two entries separated by a comma; an entry is a row 'i', a point 'x y z' or 'face b0 b1 b2':\n"
     "  3, 17\n"
     "  12 0.2 0.3 0.5, 40 0.1 0.1 0.8   # blank lines and comments are passed over\n"
-    "Only solvers that provide pair_queries can do this ('geodrome plugins show NAME' tells).";
+    "Only solvers that provide pair_queries can do this ('geodrome plugins show NAME' tells); with --metric smooth "
+    "those\n"
+    "that provide paths: each first entry of a pair is then searched from once.";
 
 using PairArguments = JobArguments<PairJob>;
 
@@ -33,6 +35,7 @@ void add_queries(CLI::App& app, Action& action) {
   command.add_option("--index", job.index, "The oracle: read if FILE is there, else built and saved to it")
       ->type_name("FILE");
   command.add_option("--report", job.report, "Everything about the run, as JSON")->type_name("FILE");
+  add_metric(command, job.settings);
   add_solver(command, job.settings.stages, Asked::pairs);
   add_job_options(command, job.settings, arguments.quiet);
 }

@@ -35,6 +35,8 @@ constexpr RemedySentence sentences[] = {
     {"query.insert_or_project", "say --query insert, or leave it out"},
     {"metric.flat", "say --metric flat"},
     {"metric.flat_or_estimator", "choose a --tangent estimator that does, as jet, or say --metric flat"},
+    {"metric.flat_or_no_index", "leave --index out, or say --metric flat"},
+    {"metric.smooth_or_no_flat", "leave --flat out, or say --metric smooth"},
     {"varied.syntax", "write --stage STAGE=A,B[:k=v,...], e.g. --stage solver=chen_han,cgal"},
     {"varied.only", "name all choices in --stage"},
     {"varied.solver_or_points", "vary the solver, or say --as points to take the vertices as a sample"},

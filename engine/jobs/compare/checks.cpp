@@ -9,23 +9,23 @@ namespace geodrome {
 
 namespace {
 
-Invariants invariants_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
-  const PreparedSolver& solver = measured.solver;
-  const auto read = [&](std::uint64_t row) { return measured.rows[row]; };
+Invariants invariants_of(const ComparedSurface& on, const PreparedSolver& solver, const DistanceRows& rows,
+                         double change, std::uint64_t seed) {
+  const auto read = [&](std::uint64_t row) { return rows[row]; };
   return check_invariants(on.sources, on.targets.named(), read,
                           {.factor = solver.plugin.factor,
                            .bounded = on.targets.bounded() || solver.provides(Provides::never_shorter),
                            .smallest_weight = smallest_weight(*on.surface->mesh),
+                           .change = change,
                            .seed = seed});
 }
 
-InvariantCheck reach_of(const ComparedSurface& on, const Measurement& measured) {
+InvariantCheck reach_of(const ComparedSurface& on, const DistanceRows& rows) {
   const SurfaceMesh& mesh = *on.surface->mesh;
   const std::vector<Index> of_source = components_of(mesh, on.sources),
                            of_target = components_of(mesh, on.targets.named());
   ReachCounts counts;
-  for (std::size_t i = 0; i < measured.rows.size(); ++i)
-    count_reach(measured.rows[i], of_source[i], of_target, false, counts);
+  for (std::size_t i = 0; i < rows.size(); ++i) count_reach(rows[i], of_source[i], of_target, false, counts);
   InvariantCheck check;
   check.violated = counts.missed + counts.impossible;
   check.tested = counts.reached + counts.unreachable + check.violated;
@@ -41,15 +41,16 @@ std::vector<bool> stated_for(std::span<const NamedPoint> queries, const Prepared
 
 }  // namespace
 
-std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& measured, std::uint64_t seed) {
-  const Invariants invariants = invariants_of(on, measured, seed);
+std::vector<NamedCheck> checks_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& rows,
+                                  double change, std::uint64_t seed) {
+  const Invariants invariants = invariants_of(on, measured.solver, rows, change, seed);
   const bool weighted = !on.surface->mesh->face_weights().empty();
   return {{"no NaN", invariants.computed},
           {"D(s,s)", invariants.identity},
           {weighted ? "D >= least weight x Euclid" : "D >= Euclid", invariants.euclid},
           {"symmetry", invariants.symmetry},
           {"triangle", invariants.triangle},
-          {"reach", reach_of(on, measured)}};
+          {"reach", reach_of(on, rows)}};
 }
 
 GuaranteeFigures guarantee_of(const ComparedSurface& on, const Measurement& measured, const DistanceRows& true_rows,

@@ -12,6 +12,7 @@
 #include "engine/checks/invariants.hpp"
 #include "engine/jobs/compare/errors.hpp"
 #include "engine/jobs/compare/guarantee.hpp"
+#include "engine/search/smooth_distances.hpp"
 #include "geodrome/engine/input.hpp"
 
 /// The figures that a comparison of combinations of plugins finds: the values of `geodrome compare`, before they become
@@ -41,6 +42,16 @@ struct NamedCheck {
   InvariantCheck check;
 };
 
+/// The distances of a combination on the smooth surface.
+struct SmoothComparison {
+  std::vector<double> source_seconds;  ///< one per source, the search included
+  SmoothFigures paths;
+  ErrorFigures errors;
+  std::vector<NamedCheck> invariants;
+
+  double median_seconds() const;
+};
+
 /// One combination of plugins: what it gave, or why it did not run.
 struct CombinationFigures {
   std::string name;
@@ -55,7 +66,8 @@ struct CombinationFigures {
   std::optional<IntervalFigures> certified;  ///< if the solver states lower bounds
   std::vector<NamedCheck> invariants;
   GuaranteeFigures guarantee;
-  std::vector<GrowthStep> growth;  ///< smallest first, the input itself among them; empty if not asked for
+  std::optional<SmoothComparison> smooth;  ///< if the metric is; all else is of the triangles
+  std::vector<GrowthStep> growth;          ///< smallest first, the input itself among them; empty if not asked for
 
   bool ran() const noexcept { return error.empty(); }
 };

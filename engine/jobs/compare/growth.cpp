@@ -21,6 +21,11 @@ std::string size_text(InputKind kind, unsigned level) {
   return "1/" + std::to_string(std::uint64_t{1} << level) + " of the points";
 }
 
+RunSettings on_triangles(RunSettings settings) {
+  settings.metric = Metric::flat;
+  return settings;
+}
+
 }  // namespace
 
 std::vector<NamedPoint> SamplePart::place(std::span<const NamedPoint> sources, const Input& whole,
@@ -71,7 +76,7 @@ struct ComparisonGrowth::Sparser {
 
 ComparisonGrowth::ComparisonGrowth(unsigned levels, const Input& input, const PluginHost& host,
                                    const RunSettings& settings, Observer& observer)
-    : levels_(levels), input_(input), host_(host), settings_(settings), observer_(observer) {}
+    : levels_(levels), input_(input), host_(host), settings_(on_triangles(settings)), observer_(observer) {}
 
 ComparisonGrowth::~ComparisonGrowth() = default;
 

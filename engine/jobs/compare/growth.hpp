@@ -23,7 +23,8 @@ struct SamplePart {
 SamplePart part_of(const Input& input, std::size_t points, std::span<const NamedPoint> sources, std::uint64_t seed);
 
 /// Measures what combinations cost on the same input in other sizes: a mesh with its faces cut in 4, again and again;
-/// of a sample a half, a quarter, ... of the points. Inputs and surfaces are made once for all combinations.
+/// of a sample a half, a quarter, ... of the points; on the triangles, whatever the metric. Inputs and surfaces are
+/// made once for all combinations.
 class ComparisonGrowth {
  public:
   /// All but `levels` must outlive it. `levels` 0: no growth.
@@ -45,7 +46,7 @@ class ComparisonGrowth {
   unsigned levels_;
   const Input& input_;
   const PluginHost& host_;
-  const RunSettings& settings_;
+  const RunSettings settings_;
   Observer& observer_;
   std::map<unsigned, std::shared_ptr<const ComparedSurface>> finer_;
   std::map<unsigned, std::unique_ptr<Sparser>> sparser_;

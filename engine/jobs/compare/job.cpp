@@ -10,12 +10,13 @@
 #include "engine/jobs/compare/growth.hpp"
 #include "engine/jobs/compare/json.hpp"
 #include "engine/jobs/compare/page.hpp"
+#include "engine/jobs/compare/smooth.hpp"
 #include "engine/jobs/compare/text.hpp"
 #include "engine/jobs/compare/view.hpp"
 #include "engine/jobs/start.hpp"
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/float32_loss.hpp"
-#include "engine/surface/selection.hpp"
+#include "engine/search/named_points.hpp"
 #include "geodrome/engine/jobs.hpp"
 
 namespace geodrome {
@@ -24,8 +25,6 @@ namespace {
 
 /// Mistakes that would otherwise show after all is computed.
 void check_arguments(const CompareJob& job) {
-  if (job.settings.metric == Metric::smooth)
-    throw OptionError("combinations are compared on their triangles", remedies::flat_metric());
   if (job.settings.part != Part::whole)
     throw OptionError("combinations are compared on whole samples: each would find another part",
                       remedies::whole_sample());
@@ -76,7 +75,8 @@ class Comparison {
     SolverPlugin solver;
     std::shared_ptr<const PlacedSurface> surface;
     attempt(figures, [&] {
-      solver = load_solver(host_, combination.choice.solver);
+      solver = load_solver(host_, combination.choice.solver,
+                           settings_.metric == Metric::smooth ? Provides::paths : Provides::nothing);
       surface = surfaces_.make(combination.choice);
     });
     // A mesh is a surface without any plugin: what is wrong with the sources is told though no solver can be loaded.
@@ -156,6 +156,8 @@ class Comparison {
   void judge(CombinationFigures& figures, const std::string& name, const SolverPlugin& solver,
              const ComparedSurface& on) {
     const Measurement measured = measure(on, solver, host_, settings_, name, observer_);
+    std::optional<SmoothMeasurement> smooth;
+    if (on.metric) smooth = measure_smooth(on, measured.solver, settings_, name, observer_);
     const DistanceRows& true_rows = truth_.rows(name, on, measured.rows);
     for (const StageRecord& stage : on.surface->stages)
       figures.stage_seconds.emplace_back(stage.plugin.stage, stage.seconds);
@@ -164,9 +166,17 @@ class Comparison {
     figures.never_shorter = measured.solver.provides(Provides::never_shorter);
     figures.certified = measured.certified;
     figures.errors = compare_distances(measured.rows, true_rows);
-    figures.invariants = checks_of(on, measured, settings_.seed);
+    figures.invariants = checks_of(on, measured, measured.rows, 0, settings_.seed);
     figures.guarantee = guarantee_of(on, measured, true_rows, truth_);
+    if (smooth) figures.smooth = judged(*smooth, measured, on);
     if (!job_.page.empty()) view_.add(on, measured, true_rows, observer_);
+  }
+
+  SmoothComparison judged(const SmoothMeasurement& smooth, const Measurement& measured, const ComparedSurface& on) {
+    return {.source_seconds = smooth.source_seconds,
+            .paths = smooth.paths,
+            .errors = compare_distances(smooth.rows, truth_.smooth_rows(on, smooth.rows)),
+            .invariants = checks_of(on, measured, smooth.rows, smooth.paths.largest_change, settings_.seed)};
   }
 
   ComparedSource told(const NamedPoint& source) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/formats/number_text.hpp"
+#include "engine/report/smooth_text.hpp"
 #include "geodrome/engine/version.hpp"
 
 namespace geodrome {
@@ -56,6 +57,22 @@ Json to_json(const GuaranteeFigures& guarantee) {
           {"why", guarantee.why}};
 }
 
+Json to_json(const std::vector<NamedCheck>& invariants) {
+  Json json = Json::array();
+  for (const NamedCheck& check : invariants) json.push_back(to_json(check));
+  return json;
+}
+
+Json to_json(const SmoothComparison& smooth) {
+  Json json = to_json(smooth.paths);
+  json["seconds"] = {{"per_source", smooth.median_seconds()}, {"sources", smooth.source_seconds}};
+  json["errors"] = to_json(smooth.errors);
+  json["reach_differs"] = smooth.errors.reach_differs;
+  json["unreachable"] = smooth.errors.unreachable;
+  json["invariants"] = to_json(smooth.invariants);
+  return json;
+}
+
 Json counters_json(const std::map<std::string, double>& counters) {
   Json json = Json::object();
   for (const auto& [name, value] : counters) json[name] = value;
@@ -102,9 +119,9 @@ Json to_json(const CombinationFigures& combination) {
                          {"worst", to_json(certified->worst)}};
   json["reach_differs"] = combination.errors.reach_differs;
   json["unreachable"] = combination.errors.unreachable;
-  json["invariants"] = Json::array();
-  for (const NamedCheck& check : combination.invariants) json["invariants"].push_back(to_json(check));
+  json["invariants"] = to_json(combination.invariants);
   json["guarantee"] = to_json(combination.guarantee);
+  if (combination.smooth) json["smooth"] = to_json(*combination.smooth);
   json["counters"] = counters_json(cost.counters);
   json["growth"] = Json::array();
   for (const GrowthStep& step : combination.growth) json["growth"].push_back(to_json(step));

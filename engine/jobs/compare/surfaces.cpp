@@ -2,6 +2,7 @@
 #include "engine/jobs/compare/surfaces.hpp"
 
 #include "engine/input/finding_text.hpp"
+#include "engine/surface/smooth_fit.hpp"
 #include "geodrome/engine/named_points.hpp"
 
 namespace geodrome {
@@ -30,11 +31,19 @@ SurfaceAttempt ComparedSurfaces::attempt(const StageChoice& choice) {
   return try_surface(input_, host_, settings_, observer_);
 }
 
+void ComparedSurfaces::add_smooth(PlacedSurface& surface, const StageChoice& choice) const {
+  RunSettings chosen = settings_;
+  chosen.stages = choice;
+  surface.smooth = fit_smooth(surface, {input_.positions}, host_, chosen, observer_);
+  settle_places(surface);
+}
+
 std::shared_ptr<const PlacedSurface> ComparedSurfaces::make(const StageChoice& choice) {
   const std::string key = key_of(choice, input_.kind);
   if (const auto known = surfaces_.find(key); known != surfaces_.end()) return known->second;
   SurfaceAttempt made = attempt(choice);
   if (made.refusal) throw *made.refusal;
+  if (settings_.metric == Metric::smooth) add_smooth(made.surface, choice);
   for (const Finding& finding : made.surface.findings)
     if (finding.severity == Finding::Severity::warning) observer_.log(LogLevel::warning, text_of(finding, observer_));
   return surfaces_[key] = std::make_shared<const PlacedSurface>(std::move(made.surface));
@@ -44,7 +53,8 @@ std::shared_ptr<const ComparedSurface> ComparedSurfaces::placed(const std::share
   std::shared_ptr<const ComparedSurface>& known = placed_[surface];
   if (known) return known;
   TargetList targets(select("all", input_, *surface), *surface);
-  known = std::make_shared<const ComparedSurface>(ComparedSurface{surface, place_(*surface), std::move(targets)});
+  known = std::make_shared<const ComparedSurface>(
+      ComparedSurface{surface, place_(*surface), std::move(targets), metric_of(*surface)});
   return known;
 }
 

@@ -15,10 +15,12 @@ namespace geodrome {
 struct ComparedSurface {
   std::shared_ptr<const PlacedSurface> surface;
   std::vector<NamedPoint> sources;
-  TargetList targets;  ///< all rows of the input
+  TargetList targets;                                    ///< all rows of the input
+  std::shared_ptr<const SmoothMetric> metric = nullptr;  ///< if the smooth surface is measured on too
 };
 
-/// The surfaces that combinations make of one input, each made once.
+/// The surfaces that combinations make of one input, each made once, with what is smooth over them if the settings'
+/// metric is.
 class ComparedSurfaces {
  public:
   using PlaceSources = std::function<std::vector<NamedPoint>(const PlacedSurface&)>;
@@ -28,7 +30,7 @@ class ComparedSurfaces {
                    PlaceSources place);
 
   /// The surface by the sample stages of `choice`; of a mesh the same for all. Tells the observer its warnings, once.
-  /// Throws what the stages throw.
+  /// Throws what the stages throw, and as `fit_smooth`.
   std::shared_ptr<const PlacedSurface> make(const StageChoice& choice);
 
   /// The places on a surface of `make`. Throws what `place` throws.
@@ -36,6 +38,7 @@ class ComparedSurfaces {
 
  private:
   SurfaceAttempt attempt(const StageChoice& choice);
+  void add_smooth(PlacedSurface& surface, const StageChoice& choice) const;
 
   const Input& input_;
   const PluginHost& host_;

@@ -20,6 +20,7 @@ struct Column {
   const char* head;
   std::size_t width;
   std::string (*cell)(const CombinationFigures&);
+  bool of_smooth = false;  ///< shown of distances on the smooth surface too
 };
 
 std::string seconds(double value) { return rounded_text(value, 3); }
@@ -63,16 +64,16 @@ std::string certified_text(const CombinationFigures& combination) {
 
 constexpr Column columns[] = {
     {"prepare", 9, [](const CombinationFigures& c) { return seconds(c.cost.prepare_seconds); }},
-    {"s/source", 9, [](const CombinationFigures& c) { return seconds(c.cost.median_seconds()); }},
+    {"s/source", 9, [](const CombinationFigures& c) { return seconds(c.cost.median_seconds()); }, true},
     {"peak MB", 8, [](const CombinationFigures& c) { return megabytes(c.cost.peak_bytes); }},
-    {"max err", 8, [](const CombinationFigures& c) { return max_of(c.errors.all); }},
-    {"mean", 8, [](const CombinationFigures& c) { return mean_of(c.errors.all); }},
-    {"near", 8, [](const CombinationFigures& c) { return mean_of(c.errors.near); }},
-    {"far", 8, [](const CombinationFigures& c) { return mean_of(c.errors.far); }},
+    {"max err", 8, [](const CombinationFigures& c) { return max_of(c.errors.all); }, true},
+    {"mean", 8, [](const CombinationFigures& c) { return mean_of(c.errors.all); }, true},
+    {"near", 8, [](const CombinationFigures& c) { return mean_of(c.errors.near); }, true},
+    {"far", 8, [](const CombinationFigures& c) { return mean_of(c.errors.far); }, true},
     {"certified", 11, certified_text},
     {"guarantee", 11, guarantee_text},
-    {"invariants", 11, invariants_text},
-    {"no path", 8, [](const CombinationFigures& c) { return std::to_string(c.errors.unreachable); }}};
+    {"invariants", 11, invariants_text, true},
+    {"no path", 8, [](const CombinationFigures& c) { return std::to_string(c.errors.unreachable); }, true}};
 
 std::string right(const std::string& text, std::size_t width) {
   return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
@@ -96,6 +97,20 @@ bool any_certified(const ComparisonFigures& figures) {
                              [](const CombinationFigures& c) { return c.ran() && c.certified.has_value(); });
 }
 
+bool any_smooth(const ComparisonFigures& figures) {
+  return std::ranges::any_of(figures.combinations,
+                             [](const CombinationFigures& c) { return c.ran() && c.smooth.has_value(); });
+}
+
+/// The distances on the smooth surface as a combination of its own.
+CombinationFigures smooth_of(const CombinationFigures& combination) {
+  CombinationFigures smooth{.name = combination.name + ", smooth"};
+  smooth.cost.source_seconds = combination.smooth->source_seconds;
+  smooth.errors = combination.smooth->errors;
+  smooth.invariants = combination.smooth->invariants;
+  return smooth;
+}
+
 /// All columns, but for that of the intervals where no solver states any.
 std::vector<Column> columns_of(const ComparisonFigures& figures) {
   std::vector<Column> shown(std::begin(columns), std::end(columns));
@@ -116,7 +131,23 @@ void print_table(const ComparisonFigures& figures, std::ostream& out) {
     else
       out << " not run: " << combination.error;
     out << "\n";
+    if (!combination.ran() || !combination.smooth) continue;
+    out << first_column("  smooth", width);
+    const CombinationFigures smooth = smooth_of(combination);
+    for (const Column& column : shown) out << right(column.of_smooth ? column.cell(smooth) : nothing, column.width);
+    out << "\n";
   }
+}
+
+void print_notes(const CombinationFigures& combination, std::ostream& out) {
+  const auto note = [&](const std::string& text) { out << combination.name << ": " << text << "\n"; };
+  if (combination.errors.reach_differs > 0)
+    note(std::to_string(combination.errors.reach_differs) + " targets are reached by only one of it and the truth");
+  if (combination.errors.all.compared == 0) note("no target has both a distance and a true one above 0");
+  if (combination.guarantee.held == false) note("guarantee BROKEN: " + combination.guarantee.why);
+  for (const auto& [name, check] : combination.invariants)
+    if (!check.holds())
+      note(name + " FAILS " + std::to_string(check.violated) + " times of " + std::to_string(check.tested));
 }
 
 void print_notes(const ComparisonFigures& figures, std::ostream& out) {
@@ -125,20 +156,17 @@ void print_notes(const ComparisonFigures& figures, std::ostream& out) {
       << far_share << " on; times in seconds, on one thread\n";
   if (any_certified(figures))
     out << "certified: what D can be off by at most, of the distance, by the solver's own lower bounds\n";
+  if (any_smooth(figures))
+    out << "smooth: D on the smooth surface, against the truth's there"
+        << (figures.truth.kind == "file" ? ", the same file" : "") << "; s/source with the paths\n";
   for (const ComparedSource& source : figures.sources)
     if (source.off_surface > 0)
       out << "source " << source.entry << ": " << rounded_text(source.off_surface, 4)
           << " off the surface; its closest surface point is taken\n";
   for (const CombinationFigures& combination : figures.combinations) {
     if (!combination.ran()) continue;
-    const auto note = [&](const std::string& text) { out << combination.name << ": " << text << "\n"; };
-    if (combination.errors.reach_differs > 0)
-      note(std::to_string(combination.errors.reach_differs) + " targets are reached by only one of it and the truth");
-    if (combination.errors.all.compared == 0) note("no target has both a distance and a true one above 0");
-    if (combination.guarantee.held == false) note("guarantee BROKEN: " + combination.guarantee.why);
-    for (const auto& [name, check] : combination.invariants)
-      if (!check.holds())
-        note(name + " FAILS " + std::to_string(check.violated) + " times of " + std::to_string(check.tested));
+    print_notes(combination, out);
+    if (combination.smooth) print_notes(smooth_of(combination), out);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "engine/formats/ending.hpp"
 #include "engine/formats/number_text.hpp"
+#include "engine/jobs/compare/smooth.hpp"
 
 namespace geodrome {
 
@@ -89,6 +90,7 @@ ComparisonTruth::ComparisonTruth(const std::string& truth, const Input& input, c
     kind_ = Kind::exact;
     name_ = truth == "exact" ? StageChoice().solver : truth.substr(exact_prefix.size());
     solver_ = host.load<ShortestPathSolver>(name_);
+    if (settings.metric == Metric::smooth) demand(solver_.info, Provides::paths);
     if (solver_.factor != 1)
       throw OptionError("the truth " + truth + ": that solver is not exact", "choose one with factor 1, as chen_han");
   }
@@ -102,16 +104,28 @@ void ComparisonTruth::read_file(const ComparedSurface& on) {
 const DistanceRows& ComparisonTruth::rows(const std::string& combination, const ComparedSurface& on,
                                           const DistanceRows& own) {
   if (kind_ == Kind::exact) {
-    DistanceRows& rows = of_surface_[on.surface.get()];
-    if (rows.empty()) rows = measure(on, solver_, host_, settings_, "truth", observer_).rows;
-    return rows;
+    TrueRows& rows = of_surface_[on.surface.get()];
+    if (rows.flat.empty()) {
+      Measurement measured = measure(on, solver_, host_, settings_, "truth", observer_);
+      if (on.metric) rows.smooth = measure_smooth(on, measured.solver, settings_, "truth", observer_).rows;
+      rows.flat = std::move(measured.rows);
+    }
+    return rows.flat;
   }
   if (!same_for_all_ && kind_ == Kind::first) same_for_all_ = own, name_ = combination;
   return *same_for_all_;
 }
 
+const DistanceRows& ComparisonTruth::smooth_rows(const ComparedSurface& on, const DistanceRows& own) {
+  if (kind_ == Kind::exact) return of_surface_.at(on.surface.get()).smooth;
+  if (kind_ == Kind::file) return *same_for_all_;
+  if (!smooth_of_first_) smooth_of_first_ = own;
+  return *smooth_of_first_;
+}
+
 bool ComparisonTruth::is_exact() const {
-  return kind_ == Kind::exact || (kind_ == Kind::file && input_.kind == InputKind::mesh);
+  const bool on_triangles = input_.kind == InputKind::mesh && settings_.metric == Metric::flat;
+  return kind_ == Kind::exact || (kind_ == Kind::file && on_triangles);
 }
 
 double ComparisonTruth::tolerance() const {

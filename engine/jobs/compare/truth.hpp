@@ -24,7 +24,8 @@ DistanceRows rows_of_sources(NpyMatrix& matrix, const std::string& file, std::sp
 class ComparisonTruth {
  public:
   /// `truth` as CompareJob. All but `truth` must outlive it. Throws OptionError for what is no truth or a solver that
-  /// is not exact, InputError for a file that cannot be read.
+  /// is not exact, CapabilityError for one without paths where the metric is smooth, InputError for a file that cannot
+  /// be read.
   ComparisonTruth(const std::string& truth, const Input& input, const PluginHost& host, const RunSettings& settings,
                   Observer& observer);
 
@@ -34,15 +35,20 @@ class ComparisonTruth {
   /// The true rows for a combination that measured `own` on `on`: of the first call, of an exact solver on the same
   /// surface, or of the file, which must have been read. Throws what the solver throws.
   const DistanceRows& rows(const std::string& combination, const ComparedSurface& on, const DistanceRows& own);
+  /// The same on the smooth surface of `on`, after `rows`; those of a file are both.
+  const DistanceRows& smooth_rows(const ComparedSurface& on, const DistanceRows& own);
 
   /// Tells whether the true rows are exact distances on the surface of the combination: those of an exact solver are,
-  /// those of a file if the input is a mesh.
+  /// those of a file if the input is a mesh and nothing is smooth.
   bool is_exact() const;
   /// Returns the error that rounding may cause in an entry, as a share of the largest entry.
   double tolerance() const;
   TruthFigures figures() const;
 
  private:
+  struct TrueRows {
+    DistanceRows flat, smooth;
+  };
   enum class Kind { first, exact, file };
 
   const Input& input_;
@@ -53,8 +59,8 @@ class ComparisonTruth {
   Plugin<ShortestPathSolver> solver_;  // exact
   std::string name_;                   // of the first combination, the exact solver, or the file
   std::optional<NpyMatrix> matrix_;
-  std::optional<DistanceRows> same_for_all_;
-  std::map<const PlacedSurface*, DistanceRows> of_surface_;
+  std::optional<DistanceRows> same_for_all_, smooth_of_first_;
+  std::map<const PlacedSurface*, TrueRows> of_surface_;
 };
 
 }  // namespace geodrome

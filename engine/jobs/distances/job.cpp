@@ -10,8 +10,8 @@
 #include "engine/report/json.hpp"
 #include "engine/search/lower_bounds.hpp"
 #include "engine/search/many_searches.hpp"
+#include "engine/search/named_points.hpp"
 #include "engine/search/projection_rule.hpp"
-#include "engine/surface/selection.hpp"
 #include "geodrome/engine/version.hpp"
 
 namespace geodrome {

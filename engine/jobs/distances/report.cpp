@@ -9,6 +9,7 @@
 #include "engine/report/memory.hpp"
 #include "engine/report/off_surface_text.hpp"
 #include "engine/report/provenance.hpp"
+#include "engine/report/smooth_text.hpp"
 #include "engine/search/projection_rule.hpp"
 
 namespace geodrome {
@@ -38,17 +39,6 @@ Json to_json(const PlanRecord& plan) {
   json["measures"] = Json::object();
   for (const auto& [name, value] : plan.measures) json["measures"][name] = to_json(value);
   return json;
-}
-
-Json to_json(const SmoothFigures& smooth) {
-  return {{"paths", smooth.paths},
-          {"left_above_flat_paths", smooth.left},
-          {"share_of_length", to_json(smooth.share())},
-          {"mean_correction", to_json(smooth.mean_correction())},
-          {"largest_correction", to_json(smooth.largest_correction)},
-          {"mean_estimated_error", to_json(smooth.mean_error())},
-          {"largest_estimated_error", to_json(smooth.largest_error)},
-          {"largest_change", to_json(smooth.largest_change)}};
 }
 
 Json to_json(const MatrixResult& matrix) {
@@ -111,7 +101,7 @@ Json to_json(const NearestResult& nearest) {
   Json json{{"reached", nearest.reached}, {"beyond_limit", nearest.beyond_limit}, {"unreachable", nearest.unreachable},
             {"dropped", nearest.dropped}, {"seconds", nearest.seconds},           {"audit", to_json(nearest.audit)}};
   if (nearest.certified) json["certified"] = to_json(*nearest.certified);
-  if (nearest.smooth) json["smooth"] = to_json(*nearest.smooth);
+  if (nearest.smooth) json["smooth"] = to_json(*nearest.smooth), json["compared_sources"] = nearest.compared;
   return json;
 }
 
@@ -221,15 +211,6 @@ void summarize_certified(const std::optional<IntervalFigures>& certified, const 
       << " in the mean (" << certified->vertices << " vertices reached)\n";
 }
 
-void summarize_smooth(const std::optional<SmoothFigures>& smooth, const FittedSurface& fitted, const char* of,
-                      std::ostream& out) {
-  if (!smooth) return;
-  out << "smooth     " << of << 100 * smooth->share() << " % of the length, by " << fitted.record.plugin.full_name()
-      << "; changed by " << smooth->mean_correction() << " in the mean, " << smooth->largest_correction
-      << " at most; estimated error " << smooth->mean_error() << " in the mean, " << smooth->largest_error
-      << " at most\n";
-}
-
 void summarize_audit(const DistanceAudit& audit, bool nearest, std::ostream& out) {
   out << "audit      " << (nearest ? "nearest: " : "");
   if (!audit.not_audited.empty()) return void(out << "not audited: " << audit.not_audited << "\n");
@@ -253,8 +234,8 @@ void summarize(const RunRecord& record, const SurfaceFacts& surface, const Sampl
   if (record.matrix) summarize_certified(record.matrix->certified, "", out);
   if (record.nearest) summarize_certified(record.nearest->certified, "nearest: ", out);
   const std::optional<FittedSurface>& fitted = record.start.surface().smooth;
-  if (record.matrix && fitted) summarize_smooth(record.matrix->smooth, *fitted, "", out);
-  if (record.nearest && fitted) summarize_smooth(record.nearest->smooth, *fitted, "nearest: ", out);
+  if (record.matrix && record.matrix->smooth) summarize_smooth(*record.matrix->smooth, *fitted, "", out);
+  if (record.nearest && record.nearest->smooth) summarize_smooth(*record.nearest->smooth, *fitted, "nearest: ", out);
   if (record.matrix) summarize_audit(record.matrix->audit.found, false, out);
   if (record.nearest) summarize_audit(record.nearest->audit, true, out);
   if (sample) print_short(*sample, out);

@@ -84,4 +84,19 @@ PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver&
   return result;
 }
 
+PairDistances pair_distances(const PlacedSurface& surface, const PreparedSolver& solver,
+                             std::span<const NamedPair> pairs, const RunSettings& settings, Observer& observer) {
+  PairDistances result{.threads = thread_count(settings)};
+  const Stopwatch watch;
+  SearchedPairs found = search_pairs(surface, solver, pairs, settings, observer);
+  result.seconds = watch.seconds();
+  result.searches = found.searches, result.smooth = found.paths;
+  result.values = std::move(found.flat);
+  check(*surface.mesh, solver.provides(Provides::never_shorter), pairs, result);
+  StageContext context("audit", observer, 1, settings.seed);
+  result.audit = audit_pairs(*surface.mesh, solver, pairs, result.values, context, true);
+  result.values = std::move(found.smooth);
+  return result;
+}
+
 }  // namespace geodrome

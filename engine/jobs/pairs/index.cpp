@@ -35,9 +35,7 @@ void save(ReadyOracle& ready, const PreparedSolver& solver, const std::filesyste
 
 }  // namespace
 
-void demand_pair_queries(const PluginInfo& solver, const PluginHost& host, Metric metric) {
-  if (metric == Metric::smooth)
-    throw OptionError("an oracle of pairs measures on the triangles: it knows no paths", remedies::flat_metric());
+void demand_pair_queries(const PluginInfo& solver, const PluginHost& host) {
   if (has(solver.provides, Provides::pair_queries)) return;
   throw CapabilityError(solver.full_name() + " does not provide distances of arbitrary pairs (pair_queries)",
                         remedies::solver_of_pairs(solvers_with(Provides::pair_queries, host)));

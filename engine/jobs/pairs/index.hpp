@@ -19,9 +19,8 @@ struct ReadyOracle {
   std::uint64_t index_bytes = 0;  ///< of the file that was read or saved
 };
 
-/// Throws CapabilityError unless the solver provides pair_queries, naming those of the host that do; OptionError for a
-/// smooth metric, which takes paths.
-void demand_pair_queries(const PluginInfo& solver, const PluginHost& host, Metric metric);
+/// Throws CapabilityError unless the solver provides pair_queries, naming those of the host that do.
+void demand_pair_queries(const PluginInfo& solver, const PluginHost& host);
 
 /// Reads the oracle from `index` if that is there, else builds it and, if `index` is not empty, saves it there: at
 /// once, so that it is not lost with what comes after. A file that is there is never changed. Throws InputError for one

@@ -12,7 +12,7 @@
 #include "engine/output/atomic_file.hpp"
 #include "engine/output/posix_file.hpp"
 #include "engine/report/off_surface_text.hpp"
-#include "engine/surface/selection.hpp"
+#include "engine/search/named_points.hpp"
 
 namespace geodrome {
 
@@ -24,10 +24,20 @@ void check_arguments(const PairJob& job) {
   if (job.out.empty()) throw OptionError("nothing to write", remedies::pairs_output());
   check_ending(job.out, Content::pairs);
   check_ending(job.report, Content::report);
+  if (job.settings.metric == Metric::smooth && !job.index.empty())
+    throw OptionError("an index is of an oracle, which measures on the triangles; smooth distances are searched for",
+                      remedies::no_index_or_flat_metric());
   const bool index_is_read = !job.index.empty() && file_exists(job.index);
   std::vector<std::filesystem::path> read{job.input, job.pairs}, written{job.out, job.report};
   if (!job.index.empty()) (index_is_read ? read : written).push_back(job.index);
   check_outputs(written, read);
+}
+
+PairDistances asked(const SessionState& session, const ReadyOracle& oracle, std::span<const NamedPair> pairs,
+                    const PreparedSolver& solver) {
+  const unsigned threads = thread_count(session.settings);
+  StageContext context = session.context("queries", threads);
+  return pair_distances(session.start.surface(), solver, *oracle.oracle, pairs, threads, context);
 }
 
 std::string as_csv(std::span<const NamedPair> pairs, std::span<const double> values) {
@@ -55,7 +65,8 @@ JobReport run_pairs(const PairJob& job, Observer& observer) {
   const Stopwatch total;
   check_arguments(job);
   SessionState session(job.settings, observer, Provides::nothing);
-  demand_pair_queries(session.plugin.info, session.host, job.settings.metric);
+  const bool smooth = job.settings.metric == Metric::smooth;
+  if (!smooth) demand_pair_queries(session.plugin.info, session.host);
   PairSelection selection = parse_pairs(job.pairs);  // after the solver: the file may have millions of lines
   session.begin(job.input);
   const JobStart& start = session.start;
@@ -67,10 +78,9 @@ JobReport run_pairs(const PairJob& job, Observer& observer) {
   off.add(std::exchange(selection, {}), list);
   tell(findings_of(off.found()), observer);
   const PreparedSolver& solver = session.prepared();
-  const ReadyOracle& oracle = session.oracle(job.index);
-  const unsigned threads = thread_count(job.settings);
-  StageContext context = session.context("queries", threads);
-  const PairDistances distances = pair_distances(surface, solver, *oracle.oracle, list.pairs, threads, context);
+  const ReadyOracle* oracle = smooth ? nullptr : &session.oracle(job.index);
+  const PairDistances distances = smooth ? pair_distances(surface, solver, list.pairs, job.settings, observer)
+                                         : asked(session, *oracle, list.pairs, solver);
   const bool csv = has_ending(job.out, ".csv");
   write_atomically(job.out, csv ? as_csv(list.pairs, distances.values) : as_npy(distances.values));
   const JobReport report = write_report({job, start, solver, list, oracle, distances, off.found(), total.seconds()});

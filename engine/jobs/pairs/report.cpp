@@ -5,6 +5,7 @@
 #include "engine/report/memory.hpp"
 #include "engine/report/off_surface_text.hpp"
 #include "engine/report/provenance.hpp"
+#include "engine/report/smooth_text.hpp"
 
 namespace geodrome {
 
@@ -27,7 +28,7 @@ std::vector<std::string> broken_promises(const PairDistances& distances) {
 }
 
 Json oracle_json(const PairRecord& record) {
-  const ReadyOracle& oracle = record.oracle;
+  const ReadyOracle& oracle = *record.oracle;
   Json json{{"origin", oracle.was_read ? "read" : "built"}, {"seconds", oracle.seconds}};
   if (!record.job.index.empty()) json["index"] = record.job.index.string();
   if (oracle.was_saved) json["save_seconds"] = oracle.save_seconds;
@@ -37,20 +38,20 @@ Json oracle_json(const PairRecord& record) {
 
 Json pairs_json(const PairRecord& record) {
   const PairDistances& d = record.distances;
-  return {{"file", record.job.pairs.string()},
-          {"hash", record.list.hash},
-          {"count", d.values.size()},
-          {"asked_of_the_oracle", d.asked},
-          {"reached", d.reach.reached},
-          {"unreachable", d.reach.unreachable},
-          {"not_computed", d.reach.not_computed},
-          {"missed", d.reach.missed},
-          {"impossible", d.reach.impossible},
-          {"below_euclid", d.below_euclid},
-          {"not_zero", d.not_zero},
-          {"seconds", d.seconds},
-          {"threads", d.threads},
-          {"microseconds_per_query", d.microseconds()}};
+  Json json{{"file", record.job.pairs.string()}, {"hash", record.list.hash}, {"count", d.values.size()}};
+  record.oracle ? json["asked_of_the_oracle"] = d.asked : json["searches"] = d.searches;
+  json.update(Json{{"reached", d.reach.reached},
+                   {"unreachable", d.reach.unreachable},
+                   {"not_computed", d.reach.not_computed},
+                   {"missed", d.reach.missed},
+                   {"impossible", d.reach.impossible},
+                   {"below_euclid", d.below_euclid},
+                   {"not_zero", d.not_zero},
+                   {"seconds", d.seconds},
+                   {"threads", d.threads}});
+  if (record.oracle) json["microseconds_per_query"] = d.microseconds();
+  if (d.smooth) json["smooth"] = to_json(*d.smooth);
+  return json;
 }
 
 Json audit_json(const PairAudit& audit) {
@@ -70,9 +71,12 @@ void summarize_oracle(const PairJob& job, const ReadyOracle& oracle, std::ostrea
 }
 
 void summarize_pairs(const PairJob& job, const PairDistances& d, std::ostream& out) {
-  out << "pairs      " << job.out.string() << ": " << d.values.size() << " in " << d.seconds << " s, "
-      << d.microseconds() << " us a query; " << d.reach.unreachable << " unreachable, " << d.reach.not_computed
-      << " not computed\n";
+  out << "pairs      " << job.out.string() << ": " << d.values.size() << " in " << d.seconds << " s, ";
+  if (d.smooth)
+    out << d.searches << (d.searches == 1 ? " search; " : " searches; ");
+  else
+    out << d.microseconds() << " us a query; ";
+  out << d.reach.unreachable << " unreachable, " << d.reach.not_computed << " not computed\n";
   out << "invariants " << (d.sound() ? "hold" : "VIOLATED") << " (D >= Euclid, D(s,s), reach)\n";
   if (d.audit.not_audited.empty())
     out << "audit      " << d.audit.pairs << " pairs searched for anew: worst violation of the factor " << d.audit.worst
@@ -86,8 +90,9 @@ std::string summary_of(const PairRecord& record, const SurfaceFacts& surface, co
   out.precision(4);
   summarize_provenance(record.start.input(), surface, record.solver, out);
   summarize(record.off_surface, out);
-  summarize_oracle(record.job, record.oracle, out);
+  if (record.oracle) summarize_oracle(record.job, *record.oracle, out);
   summarize_pairs(record.job, record.distances, out);
+  if (record.distances.smooth) summarize_smooth(*record.distances.smooth, *record.start.surface().smooth, "", out);
   if (sample) print_short(*sample, out);
   return out.str();
 }
@@ -102,17 +107,16 @@ JobReport write_report(const PairRecord& record) {
   json["geodrome"]["output"] = record.job.out.string();
   add_provenance(json, opened, sample, facts, record.solver);
   add_off_surface(json, record.off_surface);
-  json["oracle"] = oracle_json(record);
+  if (record.oracle) json["oracle"] = oracle_json(record);
   json["pairs"] = pairs_json(record);
   json["audit"] = audit_json(record.distances.audit);
   const std::vector<std::string> broken = broken_promises(record.distances);
   json["broken_promises"] = broken;
-  json["timings"] = {{"read", opened.read_seconds},
-                     {"surface", opened.surface_seconds},
-                     {"prepare", record.solver.record.seconds},
-                     {"oracle", record.oracle.seconds},
-                     {"queries", record.distances.seconds},
-                     {"total", record.total_seconds}};
+  json["timings"] = {
+      {"read", opened.read_seconds}, {"surface", opened.surface_seconds}, {"prepare", record.solver.record.seconds}};
+  if (record.oracle) json["timings"]["oracle"] = record.oracle->seconds;
+  json["timings"]["queries"] = record.distances.seconds;
+  json["timings"]["total"] = record.total_seconds;
   json["peak_memory_bytes"] = memory_peak();
   return {text_of(json), summary_of(record, facts, sample ? &*sample : nullptr), broken};
 }

@@ -16,7 +16,7 @@ struct PairRecord {
   const JobStart& start;
   const PreparedSolver& solver;
   const PairList& list;
-  const ReadyOracle& oracle;
+  const ReadyOracle* oracle;  ///< null for smooth distances, which are searched for
   const PairDistances& distances;
   OffSurface off_surface;
   double total_seconds = 0;

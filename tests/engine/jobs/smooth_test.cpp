@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Jobs and sessions under the smooth metric, on points of the unit sphere; `test_sphere` knows what they are of.
+// Matrices under the smooth metric.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "geodrome/engine/session.hpp"
+#include "tests/engine/jobs/smooth_fixture.hpp"
 #include "tests/support/meshes.hpp"
-#include "tests/support/npy.hpp"
 #include "tests/support/same_bytes.hpp"
-#include "tests/support/samples.hpp"
 #include "tests/support/stops_at_rows.hpp"
 #include "tools/shapes/meshes.hpp"
 
@@ -18,45 +16,6 @@ namespace {
 
 using nlohmann::json;
 using test::same_bytes;
-
-double arc(const Vec3& p, const Vec3& q) { return std::atan2(norm(cross(p, q)), dot(p, q)); }
-
-class SmoothMetric : public ::testing::Test {
- protected:
-  SmoothMetric() { write_points(file_, points_); }
-
-  RunSettings settings(Metric metric = Metric::smooth, const std::string& tangent = "test_sphere") const {
-    RunSettings settings{.metric = metric, .plugin_path = {GEODROME_BINARY_DIR "/tests/sound_plugins"}, .threads = 2};
-    settings.stages.tangent = tangent;
-    return settings;
-  }
-  DistanceJob job(Metric metric = Metric::smooth) const {
-    return {.input = file_, .settings = settings(metric), .sources = "0:500:25", .matrix = matrix_};
-  }
-  JobReport run(const DistanceJob& job) const {
-    JobReport report = run_distances(job, silent_observer());
-    EXPECT_TRUE(report.broken_promises.empty()) << report.broken_promises.front();
-    return report;
-  }
-  Matrix made(const DistanceJob& job) const {
-    run(job);
-    return read_npy(matrix_);
-  }
-
-  /// Mean relative error of the distances of points at least 0.7 apart.
-  double error(const Matrix& matrix) const {
-    double sum = 0, count = 0;
-    for (std::size_t i = 0; i < matrix.rows; ++i)
-      for (std::size_t j = 0; j < matrix.columns; ++j)
-        if (const double truth = arc(points_[25 * i], points_[j]); truth > 0.7 && truth < 3)
-          sum += std::abs(matrix(i, j) / truth - 1), ++count;
-    return sum / count;
-  }
-
-  const TemporaryFolder folder_;
-  const std::filesystem::path file_ = folder_ / "s.xyz", matrix_ = folder_ / "d.npy";
-  const std::vector<Vec3> points_ = test::sphere(500, 1).points;
-};
 
 TEST_F(SmoothMetric, IsAHundredTimesAsAccurateAsTheFlatOne) {
   const double flat = error(made(job(Metric::flat))), smooth = error(made(job()));
@@ -117,45 +76,6 @@ TEST_F(SmoothMetric, IsThatOfSessionsToo) {
   EXPECT_THROW(session.distances(sources, all, {.rule = ProjectionRule::insert}), OptionError);
 }
 
-TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
-  DistanceJob some = job();
-  some.sources = "7";
-  const Matrix matrix = made(some);
-  const Session session(file_, settings());
-  for (const Index to : {7u, 8u, 100u, 499u}) {
-    const auto ends = session.select(std::vector<Index>{7, to});
-    const PathResult path = session.path(ends[0], ends[1]);
-    EXPECT_NEAR(path.distance, matrix(0, to), 1e-14);
-    EXPECT_EQ(session.audit_path(ends[0], ends[1], path), std::vector<std::string>{});
-    ASSERT_EQ(path.points.size(), path.positions.size());
-    if (to == 7) continue;
-    for (const Vec3& p : path.positions) EXPECT_NEAR(norm(p), 1, 1e-14);
-    PathResult wrong = path;
-    wrong.length *= 1 + 1e-12, wrong.distance *= 1 + 1e-12;
-    EXPECT_EQ(session.audit_path(ends[0], ends[1], wrong).size(), 1u);
-  }
-  PathJob job{.input = file_, .settings = settings(), .from = "7", .to = "100", .out = folder_ / "p.csv"};
-  EXPECT_NEAR(run_path(job, silent_observer()).distance, matrix(0, 100), 1e-14);
-}
-
-TEST_F(SmoothMetric, MeasuresTheNearestOnTheTriangles) {
-  const Session session(file_, settings());
-  const auto sources = session.select("0,7 + 0.2,9"), all = session.select("all");
-  const std::vector<double> rows = session.distances(sources, all);
-  std::vector<Distance> nearest = session.nearest(sources, all, 1.5);
-  for (std::size_t j = 0; j < all.size(); ++j) {
-    if (nearest[j].reach == Reach::reached)
-      EXPECT_NEAR(nearest[j].value, rows[nearest[j].source * all.size() + j], 1e-13);
-    else
-      EXPECT_GT(std::min({rows[j], rows[j + all.size()], rows[j + 2 * all.size()]}), 1.5 * 0.999);
-  }
-  EXPECT_EQ(session.audit_nearest(sources, all, nearest, 1.5), std::vector<std::string>{});
-  nearest[3].value *= 1 + 1e-12;
-  EXPECT_EQ(session.audit_nearest(sources, all, nearest, 1.5).size(), 1u);
-  DistanceJob job{.input = file_, .settings = settings(), .sources = "0,7,9", .nearest = folder_ / "n.csv"};
-  EXPECT_TRUE(json::parse(run(job).json)["nearest"].contains("smooth"));
-}
-
 TEST_F(SmoothMetric, HoldsTheLimitAgainstSmoothDistances) {
   DistanceJob all = job(), near = job();
   const Matrix whole = made(all);
@@ -213,7 +133,10 @@ TEST_F(SmoothMetric, RefusesWhatItDoesNotGoWith) {
       },
       "metric.flat");
   PairJob pairs{.input = file_, .settings = settings(), .pairs = folder_ / "p.txt", .out = folder_ / "p.csv"};
+  pairs.index = folder_ / "p.index";
   EXPECT_THROW(run_pairs(pairs, silent_observer()), OptionError);
+  pairs.index.clear(), pairs.settings.stages.solver = "heat";
+  EXPECT_THROW(run_pairs(pairs, silent_observer()), CapabilityError);
 }
 
 }  // namespace

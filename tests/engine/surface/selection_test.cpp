@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/search/named_points.hpp"
 #include "engine/surface/off_surface.hpp"
 #include "tests/support/input_files.hpp"
 #include "tests/support/program.hpp"

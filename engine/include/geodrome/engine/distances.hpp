@@ -2,6 +2,7 @@
 #pragma once
 
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,13 @@ struct BoundedDistances {
   std::vector<double> distances, bounds;
 };
 
+/// The polyline on the triangles that a curve on the smooth surface was made from; empty if unreachable.
+struct FlatPath {
+  double length = 0;
+  std::vector<SurfacePoint> points;
+  std::vector<Vec3> positions;
+};
+
 /// A polyline of surface points from `from` to `to`; empty if unreachable, then `distance` is +inf, and if both are the
 /// same vertex on no face, then it is 0. Faces are those of the surface; under `insert` of the one with `from` as a
 /// vertex, on which faces that stayed should have kept their index.
@@ -40,6 +48,7 @@ struct PathResult {
   double length = 0;  ///< of the polyline, weighted by the faces that it crosses if they have weights
   std::vector<SurfacePoint> points;
   std::vector<Vec3> positions;
+  std::optional<FlatPath> flat;                     ///< if the metric is smooth
   double from_off_surface = 0, to_off_surface = 0;  ///< as `NamedPoint::off_surface` of the ends
   std::vector<std::string> broken_promises;         ///< what `run_path` found in its audit; of a session empty
 };

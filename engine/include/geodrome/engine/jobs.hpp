@@ -52,14 +52,16 @@ struct JobReport {
 /// neither. Of what is unreachable the bound is +inf, of what lies beyond `max_distance` a finite number.
 JobReport run_distances(const DistanceJob& job, Observer& observer);
 
-/// Distances of many pairs of points, by the oracle of a solver that provides pair_queries. Points of a cloud lie at
-/// their closest surface points, D = max(surface distance, |st|).
+/// Distances of many pairs of points, by the oracle of a solver that provides pair_queries; under the smooth metric by
+/// a search from every point that pairs begin at, by a solver that provides paths. Points of a cloud lie at their
+/// closest surface points, D = max(surface distance, |st|).
 struct PairJob {
   std::filesystem::path input;
   RunSettings settings;
   std::filesystem::path pairs;   ///< a pair a line: see `select_pairs`
   std::filesystem::path out;     ///< .npy (float64, one a pair) or .csv (pair,from,to,distance,reach)
-  std::filesystem::path index;   ///< the oracle: read if the file is there, else built and saved there; empty: built
+  std::filesystem::path index;   ///< the oracle: read if the file is there, else built and saved there; empty: built;
+                                 ///< no smooth distances are made by it
   std::filesystem::path report;  ///< .json
 };
 
@@ -79,15 +81,17 @@ struct PathJob {
   std::string from, to;                            ///< one entry each, as `select` reads it
   ProjectionRule query = ProjectionRule::project;  ///< not `printed`, whose minima are lengths of no path
   std::filesystem::path out;
+  std::filesystem::path flat;  ///< under the smooth metric: the path on the triangles, with its length as distance
 };
 
-/// Does the whole job, as `run_distances`, and gives the path back; `out` may be empty. Throws any geodrome::Error:
-/// CapabilityError for a solver without paths, OptionError for an end that was dropped, has a start distance or is not
-/// one point. `broken_promises` of the path tells of its audit: see `Session::audit_path`. Memory: the surface, the
-/// prepared solver, and the map of one search.
+/// Does the whole job, as `run_distances`, and gives the path back; `out` and `flat` may be empty. Throws any
+/// geodrome::Error: CapabilityError for a solver without paths, OptionError for an end that was dropped, has a start
+/// distance or is not one point. `broken_promises` of the path tells of its audit: see `Session::audit_path`. Memory:
+/// the surface, the prepared solver, and the map of one search.
 PathResult run_path(const PathJob& job, Observer& observer);
 
-/// Distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off.
+/// Distances by every combination of chosen plugins: what each costs, on one thread, and how far it is off; under the
+/// smooth metric on the triangles and on the smooth surface.
 struct CompareJob {
   std::filesystem::path input;
   RunSettings settings;                 ///< `stages`: of those that are not varied; `threads` is not used

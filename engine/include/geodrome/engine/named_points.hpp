@@ -32,10 +32,11 @@ struct PairList {
 
 /// Reads "all", "@FILE", or entries separated by commas: "0,5,9", "0-5, 100:200:10, 0.1 0.2 0.3". An entry, or a line
 /// of a file, is a row `i`, rows `a-b` (with b) or `a:b:step` (without b), a point `x y z` (its closest surface point
-/// is meant; for a cloud the point itself takes part in D = max(surface distance, |st|)), or `face b0 b1 b2` (face as
-/// counted in the input, barycentric coordinates >= 0 that sum to 1, both up to 1e-9), each with an optional `+ start`;
-/// blank lines and `#` comments are passed over. Rows and faces count from 0, and 3.0e+00 is row 3 too. A row named
-/// twice is there twice. Throws OptionError for a bad list, InputError naming file and line for a bad file.
+/// is meant, on the smooth surface if there is one; for a cloud the point itself takes part in D = max(surface
+/// distance, |st|)), or `face b0 b1 b2` (face as counted in the input, barycentric coordinates >= 0 that sum to 1, both
+/// up to 1e-9), each with an optional `+ start`; blank lines and `#` comments are passed over. Rows and faces count
+/// from 0, and 3.0e+00 is row 3 too. A row named twice is there twice. Throws OptionError for a bad list, InputError
+/// naming file and line for a bad file.
 std::vector<NamedPoint> select(const std::string& text, const Input& input, const PlacedSurface& surface);
 
 /// Reads a file with a pair a line: two entries as in the files of `select`, without a start distance, separated by a

@@ -37,7 +37,7 @@ struct RunSettings {
   StageChoice stages;
   ReadOptions read;
   Part part = Part::whole;
-  Metric metric = Metric::flat;  ///< of `run_distances`, `run_path` and the questions of a session
+  Metric metric = Metric::flat;  ///< of all jobs with a solver and of the questions of a session
   std::vector<std::filesystem::path> plugin_path;
   unsigned threads = 0;
   std::uint64_t seed = 1;

@@ -72,7 +72,7 @@ class Session {
   std::vector<NamedPoint> select(std::span<const SurfacePoint> points) const;
   /// Points in space: the closest surface points, as `x y z` in a list. The observer is told of those that lie off the
   /// surface, as above. Throws OptionError for one that is not finite, or beyond 1e100.
-  /// O(log F) each, and for a mesh O(F log F) once a call.
+  /// O(log F) each, and once a call O(F log F) for a mesh, O(F) where distances are smooth.
   std::vector<NamedPoint> select(std::span<const Vec3> positions) const;
 
   /// Distances from all sources to all targets, a row per source, over threads: a search per source. Start distances of
@@ -97,8 +97,9 @@ class Session {
                                      const DistanceOptions& options = {}) const;
 
   /// For every target the distance from the nearest source, and the place of that in `sources`: one search on one
-  /// thread. Throws OptionError for a start distance or a limit that is no number >= 0, CapabilityError for what the
-  /// solver does not provide.
+  /// thread, and under the smooth metric one from each source that may be nearer than what that found. Throws
+  /// OptionError for a start distance or a limit that is no number >= 0, CapabilityError for what the solver does not
+  /// provide.
   std::vector<Distance> nearest(std::span<const NamedPoint> sources, std::span<const NamedPoint> targets,
                                 double max_distance = infinity) const;
 
@@ -119,8 +120,9 @@ class Session {
                                       ProjectionRule rule = ProjectionRule::project) const;
   std::vector<std::string> audit_pairs(std::span<const NamedPair> pairs, std::span<const double> distances) const;
 
-  /// A distance for each pair, over threads, by the oracle of the solver, which is built with the first call and kept.
-  /// Throws OptionError for an end with a start distance, CapabilityError if the solver has no oracle.
+  /// A distance for each pair, over threads, by the oracle of the solver, which is built with the first call and kept;
+  /// under the smooth metric by a search from each place that pairs begin at. Throws OptionError for an end with a
+  /// start distance, CapabilityError if the solver has no oracle, or, for a search, not what the ends take.
   std::vector<double> pairs(std::span<const NamedPair> pairs) const;
 
  private:

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "geodrome/engine/named_points.hpp"
+#include "engine/search/named_points.hpp"
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <unordered_map>
 
 #include "engine/formats/text_stream.hpp"
+#include "engine/smooth/settling.hpp"
 #include "engine/surface/off_surface.hpp"
 #include "engine/surface/part_surface.hpp"
 #include "engine/surface/place.hpp"
-#include "engine/surface/selection.hpp"
 
 namespace geodrome {
 
@@ -50,13 +51,26 @@ class Resolver {
     const auto [at, off] = locator_->closest(position);
     if (surface_.part && !within_reach(surface_, at, position))
       return {{Place::State::off_part, {}, no_index, position}, entry.start, no_index, entry.label};
+    Place place = place_on(*surface_.mesh, at, position);
+    if (place.vertex == no_index) place.at = settled(at, position);
     // On a mesh the surface itself was given, so the point meant is the one on it; a cloud's surface is an estimate.
-    const bool estimated = surface_.made_from == InputKind::points;
-    return {place_on(*surface_.mesh, at, estimated ? position : surface_.mesh->position(at)), entry.start, no_index,
-            entry.label, off > std::max(rounding_, rounding_of_numbers * norm(position)) ? off : 0};
+    if (surface_.made_from == InputKind::mesh) place.position = surface_.mesh->position(place.at);
+    return {place, entry.start, no_index, entry.label,
+            off > std::max(rounding_, rounding_of_numbers * norm(position)) ? off : 0};
   }
 
  private:
+  /// Where the smooth surface is closest to a position, as rows are placed; `at` without one.
+  SurfacePoint settled(const SurfacePoint& at, const Vec3& position) {
+    if (!surface_.smooth) return at;
+    SettledPoint point{position, at};
+    cross_boundary(surface_.smooth->record.plugin, [&] {
+      if (!charts_) charts_.emplace(surface_.mesh, surface_.smooth->surface);
+      settle(*charts_, {&point, 1});
+    });
+    return point.at;
+  }
+
   static std::size_t last_row(const PointEntry& entry) { return entry.index + (entry.count - 1) * entry.step; }
 
   /// `i`: which of the rows that it names.
@@ -98,7 +112,8 @@ class Resolver {
   const Input& input_;
   const PlacedSurface& surface_;
   std::shared_ptr<const SurfaceLocator> locator_;
-  double rounding_ = -1;  // not known yet
+  double rounding_ = -1;                // not known yet
+  std::optional<SmoothCharts> charts_;  // nor made
   std::unordered_map<Index, std::vector<Index>> triangles_of_face_;
 };
 
