@@ -31,9 +31,7 @@ class SmoothCases : public ::testing::Test {
 
   Matrix measured(const std::vector<Vec3>& points, Metric metric) const {
     write_points(folder_ / "p.xyz", points);
-    RunSettings settings{.metric = metric, .threads = 2};
-    settings.stages.decimator = decimator_;
-    return distances({.input = folder_ / "p.xyz", .settings = settings, .sources = sources_});
+    return distances({.input = folder_ / "p.xyz", .settings = {.metric = metric, .threads = 2}, .sources = sources_});
   }
 
   /// Exact distances of points of a polyhedron.
@@ -74,7 +72,6 @@ class SmoothCases : public ::testing::Test {
   const TemporaryFolder folder_;
   const std::size_t step_ = 500;
   const std::string sources_ = "0:2000:500";
-  std::string decimator_ = RunSettings{}.stages.decimator;
 };
 
 MeshPtr box(double height) {
@@ -158,18 +155,6 @@ TEST_F(SmoothCases, NoiseOfATenthOfAPercentToOnePercent) {
   const Matrix truth = arcs(points, step_);
   for (const double share : {0.001, 0.005, 0.01})
     EXPECT_LT(ratio(noisy(points, share * 2 * std::sqrt(3), 5), truth), hardly) << share;
-}
-
-TEST_F(SmoothCases, NoiseOnATorusOfWhichAllPointsAreKept) {
-  // Few faces are left to the decimator's chords, so what is lost by the fit itself shows.
-  decimator_ = "none";
-  const std::size_t count = 4000;
-  const std::vector<Vec3> feet = shapes::sample("torus", {.points = count}).points;
-  const auto mesh = std::make_shared<SurfaceMesh>(shapes::mesh("torus", 80'000));
-  Matrix truth = truth_on(mesh, feet);
-  truth.rows = 4, truth.values.resize(truth.rows * truth.columns);
-  for (const double noise : {0.005, 0.01})
-    EXPECT_LT(ratio(shapes::sample("torus", {.points = count, .noise = noise}).points, truth), hardly) << noise;
 }
 
 TEST_F(SmoothCases, LimitHoldsWhereSmoothWaysAreShorter) {
