@@ -3,6 +3,13 @@
 
 namespace geodrome {
 
+Eigen::Matrix<double, quartic_size, 1> monomials(double x, double y) {
+  const double xx = x * x, xy = x * y, yy = y * y;
+  Eigen::Matrix<double, quartic_size, 1> b;
+  b << 1, x, y, xx, xy, yy, xx * x, xx * y, x * yy, yy * y, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy;
+  return b;
+}
+
 Height Quartic::at(double x, double y) const {
   // A polynomial in y, whose coefficients p are polynomials in x with derivatives q and r.
   const double p0 = c[0] + x * (c[1] + x * (c[3] + x * (c[6] + x * c[10])));

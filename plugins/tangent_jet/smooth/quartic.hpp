@@ -10,6 +10,11 @@ namespace geodrome {
 
 /// How many coefficients a polynomial of degree four in x and y has.
 inline constexpr int quartic_size = 15;
+inline constexpr int quartic_degree = 4;
+
+/// The degrees of the monomials 1, x, y, x^2, xy, y^2, x^3, x^2 y, ..., y^4, and their values.
+inline constexpr std::array<int, quartic_size> degree_of{0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
+Eigen::Matrix<double, quartic_size, 1> monomials(double x, double y);
 
 /// A height and its derivatives.
 struct Height {

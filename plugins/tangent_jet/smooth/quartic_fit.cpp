@@ -21,15 +21,18 @@ using Column = Eigen::Matrix<double, quartic_size, 1>;
 /// One column per point.
 using Columns = Eigen::Matrix<double, quartic_size, Eigen::Dynamic>;
 
-Column monomials(double x, double y, bool pinned) {
-  const double xx = x * x, xy = x * y, yy = y * y;
-  Column b;
-  b << (pinned ? 0 : 1), x, y, xx, xy, yy, xx * x, xx * y, x * yy, yy * y, xx * xx, xx * xy, xx * yy, xy * yy, yy * yy;
-  return b;
+/// Whether a coefficient is fitted, not 0.
+bool is_fitted(int coefficient, const QuarticFit& fit) {
+  return degree_of[coefficient] <= fit.degree && !(fit.pinned && coefficient == 0);
 }
 
-/// The degrees of the monomials.
-constexpr std::array<int, quartic_size> degree{0, 1, 1, 2, 2, 2, 3, 3, 3, 3, 4, 4, 4, 4, 4};
+/// The monomials whose coefficients are fitted; 0 for the others.
+Column row_of(double x, double y, const QuarticFit& fit) {
+  Column b = monomials(x, y);
+  for (int i = 0; i < quartic_size; ++i)
+    if (!is_fitted(i, fit)) b[i] = 0;
+  return b;
+}
 
 /// The points as the equations see them, in units of the radius and times the roots of their weights.
 struct Equations {
@@ -47,7 +50,7 @@ Equations equations(const QuarticFit& fit, const std::vector<Vec3>& points, cons
     const Vec3 d = (points[neighbour.index] - frame.base) / fit.radius;
     e.weight[i] = std::exp(-decay * neighbour.squared_distance / around.back().squared_distance);
     const double root = std::sqrt(e.weight[i]);
-    e.basis.col(i) = root * monomials(dot(d, frame.u), dot(d, frame.v), fit.pinned);
+    e.basis.col(i) = root * row_of(dot(d, frame.u), dot(d, frame.v), fit);
     e.height[i] = root * dot(d, frame.n);
   }
   return e;
@@ -64,7 +67,7 @@ double residual_of(const Equations& e, const Column& solution, const QuarticFit:
 }  // namespace
 
 double QuarticFit::leverage(double x, double y) const {
-  return factor.triangularView<Eigen::Lower>().solve(monomials(x / radius, y / radius, pinned)).norm();
+  return factor.triangularView<Eigen::Lower>().solve(row_of(x / radius, y / radius, *this)).norm();
 }
 
 QuarticFit fit_quartic(const std::vector<Vec3>& points, const std::vector<Neighbour>& around, const Vec3& base,
@@ -73,13 +76,14 @@ QuarticFit fit_quartic(const std::vector<Vec3>& points, const std::vector<Neighb
   fit.quartic = {base, tangent_to(normal), {}, normal, {}};
   fit.quartic.v = cross(normal, fit.quartic.u);
   fit.radius = std::sqrt(around.back().squared_distance);
-  fit.pinned = rule.pinned;
+  fit.pinned = rule.pinned, fit.degree = rule.degree;
   if (around.size() < fewest_points) return fit;
 
   const Equations e = equations(fit, points, around, rule.decay);
   QuarticFit::Matrix matrix = QuarticFit::Matrix::Zero();
   matrix.selfadjointView<Eigen::Lower>().rankUpdate(e.basis);
-  if (rule.pinned) matrix(0, 0) = 1;  // for a constant of 0
+  for (int i = 0; i < quartic_size; ++i)
+    if (!is_fitted(i, fit)) matrix(i, i) = 1;  // for a coefficient of 0
   const Eigen::LLT<QuarticFit::Matrix> factors(matrix);
   fit.factor = factors.matrixLLT();
   const auto pivots = fit.factor.diagonal();
@@ -87,7 +91,7 @@ QuarticFit fit_quartic(const std::vector<Vec3>& points, const std::vector<Neighb
   if (!fit.determined) return fit;
   const Column solution = factors.solve(e.basis * e.height);
   fit.residual = fit.radius * residual_of(e, solution, fit.factor);
-  for (int i = 0; i < quartic_size; ++i) fit.quartic.c[i] = solution[i] * std::pow(fit.radius, 1 - degree[i]);
+  for (int i = 0; i < quartic_size; ++i) fit.quartic.c[i] = solution[i] * std::pow(fit.radius, 1 - degree_of[i]);
   return fit;
 }
 

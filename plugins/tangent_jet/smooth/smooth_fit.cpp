@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plugins/common/parallel_for.hpp"
+#include "plugins/tangent_jet/smooth/fit_size.hpp"
 #include "plugins/tangent_jet/smooth/jet_surface.hpp"
 #include "plugins/tangent_jet/smooth/trust.hpp"
 #include "plugins/tangent_jet/smooth/vertex_jet.hpp"
@@ -34,12 +35,14 @@ std::unique_ptr<SmoothSurface> fit_smooth_surface(const TangentEstimator&, const
   const JetPoints points(task.sample, task.tangents);
   const SurfaceMesh& mesh = *task.mesh;
   const std::vector<double> reach = reaches(mesh);
+  const FitSize noisy = points.sigma > 0 ? best_fit_size(points, mesh.positions(), context) : FitSize{};
   std::vector<QuarticFit> jets(mesh.vertex_count());
   parallel_for(points.raw.empty() ? 0 : jets.size(), context, {}, [&](std::size_t begin, std::size_t end) {
     std::vector<Neighbour> around;
-    for (std::size_t v = begin; v < end; ++v) jets[v] = vertex_jet(points, mesh.positions()[v], reach[v], around);
+    for (std::size_t v = begin; v < end; ++v)
+      jets[v] = vertex_jet(points, mesh.positions()[v], reach[v], noisy, around);
   });
-  std::vector<double> deviations = face_deviations(mesh, jets, points.sigma);
+  std::vector<double> deviations = face_deviations(mesh, jets, {points.sigma, noisy.left_out});
   std::vector<Quartic> quartics;
   quartics.reserve(jets.size());
   for (const QuarticFit& jet : jets) quartics.push_back(jet.quartic);

@@ -73,6 +73,7 @@ std::vector<double> roughness_around(const SurfaceMesh& mesh, std::span<const Qu
 struct Patch {
   std::array<Vec3, 3> corner;
   std::array<const QuarticFit*, 3> jet;
+  NoiseLeft noise;
 
   double longest_edge() const {
     return std::max({distance(corner[0], corner[1]), distance(corner[1], corner[2]), distance(corner[2], corner[0])});
@@ -101,7 +102,9 @@ double Patch::deviation(const std::array<double, 3>& b) const {
     const Quartic& q = jet[i]->quartic;
     if (distance(point, q.base) > jet[i]->radius) return infinity;
     const double x = dot(point - q.base, q.u), y = dot(point - q.base, q.v), weight = b[i] * b[i];
-    expected += weight * jet[i]->residual * jet[i]->leverage(x, y), weights += weight;
+    // Points that noise moves along normals come nearer to each other on the inner side, which draws the fit there.
+    const double drawn = noise.sigma * noise.sigma * bend(*jet[i]);
+    expected += weight * (jet[i]->residual * jet[i]->leverage(x, y) + noise.left_out + drawn), weights += weight;
     const Height h = q.at(x, y);
     lifted[i] = q.base + x * q.u + y * q.v + h.z * q.n;
     const Vec3 up = q.n - h.x * q.u - h.y * q.v;
@@ -117,12 +120,13 @@ double Patch::deviation(const std::array<double, 3>& b) const {
 
 }  // namespace
 
-std::vector<double> face_deviations(const SurfaceMesh& mesh, std::span<const QuarticFit> jets, double sigma) {
+std::vector<double> face_deviations(const SurfaceMesh& mesh, std::span<const QuarticFit> jets, const NoiseLeft& noise) {
+  const double sigma = noise.sigma;
   const std::vector<double> rough = roughness_around(mesh, jets, sigma);
   std::vector<double> deviations(mesh.face_count(), infinity);
   for (Index f = 0; f < mesh.face_count(); ++f) {
     const Triangle& t = mesh.triangles()[f];
-    const Patch patch{mesh.corners(f), {&jets[t[0]], &jets[t[1]], &jets[t[2]]}};
+    const Patch patch{mesh.corners(f), {&jets[t[0]], &jets[t[1]], &jets[t[2]]}, noise};
     if (std::max({rough[t[0]], rough[t[1]], rough[t[2]]}) > roughest || patch.is_steep()) continue;
     if (std::ranges::any_of(patch.jet, [&](const QuarticFit* jet) { return is_kinked(*jet, sigma); })) continue;
     double largest = 0;

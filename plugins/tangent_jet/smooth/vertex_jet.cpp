@@ -7,12 +7,10 @@
 namespace geodrome {
 namespace {
 
-constexpr std::size_t fewest = 32, most = 512;  // 512 cost half a millisecond a vertex
-
 /// What a quartic leaves out of a smooth shape grows with the fifth power of the distance, so far points should count
 /// little; noise is averaged best if all count.
-FitRule rule_for(int doublings, double sigma) {
-  return {doublings == 0 ? 8.0 : doublings == 1 ? 6.0 : 3.0, doublings == 0 && sigma == 0};
+FitRule rule_for(int doublings) {
+  return {doublings == 0 ? 8.0 : doublings == 1 ? 6.0 : 3.0, doublings == 0, quartic_degree};
 }
 
 /// By how much the residual of noise grows at most when the number of points is doubled once more. From 32 to 64 points
@@ -20,13 +18,6 @@ FitRule rule_for(int doublings, double sigma) {
 double growth_of_noise(int doublings) { return 1.2 + 1.8 * std::pow(0.25, doublings); }
 /// Residuals below this share of the radius are rounding: more points make no better fit.
 constexpr double exact = 1e-9;
-
-std::vector<Vec3> origins(const Tangents& tangents) {
-  std::vector<Vec3> kept;
-  for (std::size_t i = 0; i < tangents.plane.size(); ++i)
-    if (tangents.state[i] != PointState::dropped) kept.push_back(tangents.plane[i].origin);
-  return kept;
-}
 
 /// The quartic over its own tangent plane: heights along the normal of the surface are the least curved.
 QuarticFit turned_fit(const std::vector<Vec3>& points, const std::vector<Neighbour>& around, const Vec3& base,
@@ -37,36 +28,27 @@ QuarticFit turned_fit(const std::vector<Vec3>& points, const std::vector<Neighbo
 
 }  // namespace
 
-JetPoints::JetPoints(const PointSample& sample, const Tangents& tangents)
-    : places(origins(tangents)), sigma(tangents.sigma) {
-  for (std::size_t i = 0; i < sample.size(); ++i) {
-    if (tangents.state[i] == PointState::dropped) continue;
-    raw.push_back(sample.points[i]);
-    normal.push_back(tangents.plane[i].normal);
-  }
-}
-
-QuarticFit vertex_jet(const JetPoints& points, const Vec3& vertex, double reach, std::vector<Neighbour>& around) {
+QuarticFit vertex_jet(const JetPoints& points, const Vec3& vertex, double reach, const FitSize& noisy,
+                      std::vector<Neighbour>& around) {
   points.places.nearest(vertex, 1, around);
   const Vec3 normal = points.normal[around[0].index];
   points.places.within(vertex, reach, around);
-  std::size_t count = std::clamp(around.size(), fewest, most);
+  std::size_t count = std::clamp(around.size(), fewest_jet_points, most_jet_points);
+  const bool noise = points.sigma > 0;
+  const std::size_t most = std::min(noise ? noisy.points : most_jet_points, points.raw.size());
   int doublings = 0;
-  const auto fit_to = [&](const std::vector<Vec3>& places, std::size_t number, int doubled) {
+  const auto fit_to = [&](std::size_t number, int doubled) {
     points.places.nearest_and_ties(vertex, number, around);
-    return turned_fit(places, around, vertex, normal, rule_for(doubled, points.sigma));
+    const FitRule rule = noise ? FitRule{noisy_decay, false, noisy.degree} : rule_for(doubled);
+    return turned_fit(points.raw, around, vertex, normal, rule);
   };
-  QuarticFit best = fit_to(points.raw, count, 0);
-  while (2 * count <= std::min(most, points.raw.size()) && !(best.residual <= exact * best.radius && best.determined)) {
-    const QuarticFit larger = fit_to(points.raw, 2 * count, doublings + 1);
+  QuarticFit best = fit_to(count, 0);
+  while (2 * count <= most && !(best.residual <= exact * best.radius && best.determined)) {
+    const QuarticFit larger = fit_to(2 * count, doublings + 1);
     const double usual = growth_of_noise(doublings) * std::max(best.residual, points.sigma);
     if (best.determined && !(larger.determined && larger.residual <= usual)) break;
     best = larger, count *= 2, ++doublings;
   }
-  if (points.sigma == 0) return best;
-  const double residual = best.residual;
-  best = fit_to(points.places.points(), count, doublings);
-  best.residual = residual;
   return best;
 }
 

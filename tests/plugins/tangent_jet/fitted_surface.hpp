@@ -39,9 +39,9 @@ inline std::unique_ptr<SmoothSurface> fitted_to(const MeshPtr& mesh, const Point
   return fit_smooth_surface(JetTangents(OptionValues(jet_options, "")), {mesh, sample, tangents}, context);
 }
 
-inline FittedSurface fitted(const PointSample& sample) {
+inline FittedSurface fitted(const PointSample& sample, bool decimate = true) {
   ThreadsContext context(2);
-  Staged made = staged(sample);
+  Staged made = staged(sample, decimate);
   FittedSurface result{sample, made.tangents, {}, {}};
   result.mesh = DelaunayCut(OptionValues(DelaunayCut::options, ""))
                     .reconstruct(made.sample, made.tangents, made.control, made.kept, context)

@@ -127,6 +127,21 @@ TEST(JetSurface, AveragesNoise) {
   }
 }
 
+TEST(JetSurface, NoiseDoesNotShrinkIt) {
+  // Offsets to one side make distances longer or shorter alike, and are not averaged along a path.
+  const PointSample sample = shapes::sample("torus", {.points = 8000, .noise = 0.005});
+  const FittedSurface made = test::fitted(sample, false);
+  const SurfaceMesh& mesh = *made.mesh;
+  double offset = 0, area = 0;
+  for (Index f = 0; f < mesh.face_count(); f += 4) {
+    const auto [p, q, r] = mesh.corners(f);
+    const double part = norm(cross(q - p, r - p));
+    const Vec3 at = made.at(test::place_on(mesh, f, test::middles[0])).position;
+    offset += part * test::shape_value("torus", at), area += part;
+  }
+  EXPECT_LT(std::abs(offset / area), 0.05 * made.tangents.sigma);
+}
+
 TEST(JetSurface, AveragesNoiseThatTheEstimatorDoesNotNotice) {
   // A hundredth of the diagonal's thousandth: a fiftieth of the spacing.
   const FittedSurface noisy = test::fitted("trefoil", {.points = 8000, .noise = 1e-4});
