@@ -33,7 +33,7 @@ void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64
   const std::size_t targets = on.targets->size();
   const std::span<double> distances = row.first(targets);
   const bool smooth = solver.smooth != nullptr;
-  const double radius = smooth ? farther_for_smooth * max_distance_ : max_distance_;
+  const double radius = searched_radius(solver, max_distance_);
   const ShortestPathMap* map = distance_row(solver, search, on.source, *on.targets, radius, context_, distances,
                                             smooth ? Keep::map : Keep::targets);
   if (extras_.bounds)

@@ -178,6 +178,10 @@ void SmoothFigures::add(const SmoothFigures& other) {
   largest_change = std::max(largest_change, other.largest_change);
 }
 
+double searched_radius(const PreparedSolver& solver, double max_distance) {
+  return solver.smooth ? farther_for_smooth * max_distance + solver.smooth->around : max_distance;
+}
+
 SmoothFigures smooth_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
                          const TargetList& targets, double max_distance, std::span<double> row) {
   return solver.smooth->curves ? marched_row(solver, map, source, targets, max_distance, row)

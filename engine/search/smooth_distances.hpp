@@ -18,6 +18,10 @@ namespace geodrome {
 /// the bends of coarse samples (genus 2, 3,000 points) it is by up to 1.5 %.
 inline constexpr double farther_for_smooth = 1.05;
 
+/// How far a search on the triangles looks for a row with a limit: so much farther, and some edges more, for a row is
+/// carried from vertices around its targets. As far as the limit where the metric is flat.
+double searched_radius(const PreparedSolver& solver, double max_distance);
+
 /// What became of flat paths, summed up.
 struct SmoothFigures {
   std::uint64_t paths = 0;        ///< of a length above 0

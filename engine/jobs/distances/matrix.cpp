@@ -206,8 +206,7 @@ MatrixResult compute_matrix(const DistanceJob& job, const PreparedSolver& solver
   const MatrixFile::Spec bounds = job.bounds.empty() ? MatrixFile::Spec{} : spec_of_bounds(spec, job.bounds);
   MatrixResult result{.rows = spec.rows, .columns = spec.columns, .bytes = bytes_of(spec, bounds)};
   Certificates certificates(solver, spec.rows);
-  const double radius = solver.smooth ? farther_for_smooth * job.max_distance : job.max_distance;
-  RowAudit audit(solver, surfaces, sources, radius, job.audit_share);
+  RowAudit audit(solver, surfaces, sources, searched_radius(solver, job.max_distance), job.audit_share);
   const auto watch = [&](std::uint64_t i, const SourceSurface& on, const ShortestPathMap& map,
                          std::span<const double> flat) {
     audit.hear(i, on, cross_boundary(solver.plugin.info, [&] { return map.vertices(); }), flat);

@@ -16,6 +16,9 @@ constexpr int most_steps = 6;
 constexpr double near_for_gradient = 1e-5, near_for_distance = 3e-3;
 /// How far beyond an edge its curve is believed.
 constexpr double beyond = 0.3;
+/// Nearer to the source than this many lengths of the edge, what the square of a distance is off by is too much of the
+/// distance.
+constexpr double nearest = 1;
 /// Where a path runs along an edge, in squares of the sine, its circles cannot be seen there.
 constexpr double grazing = 0.05;
 
@@ -49,7 +52,7 @@ std::optional<Crossing> find_crossing(const EdgeFront& front, const PieceEnd& to
     share += step;
     if (share < -beyond || share > 1 + beyond) return Crossing{share};
     if (std::abs(step) > near) continue;
-    if (!comes_from_source(front, at, share, back)) return std::nullopt;
+    if (d.value < nearest * front.curve().length || !comes_from_source(front, at, share, back)) return std::nullopt;
     const double length = length_between({at.position, at.normal, {}, {}, {}}, {to.position, to.normal, {}, {}, {}});
     Crossing found{share, d.value + length + 0.5 * step * slope, length, norm(to.normal - at.normal)};
     if (!to.turn) return found;

@@ -16,6 +16,9 @@ namespace {
 using nlohmann::json;
 using test::same_bytes;
 
+/// What rows that are carried over the surface may differ from paths that are shortened one by one, relative.
+constexpr double carried = 1e-5;
+
 TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
   DistanceJob some = job();
   some.sources = "7";
@@ -24,7 +27,7 @@ TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
   for (const Index to : {7u, 8u, 100u, 499u}) {
     const auto ends = session.select(std::vector<Index>{7, to});
     const PathResult path = session.path(ends[0], ends[1]);
-    EXPECT_NEAR(path.distance, matrix(0, to), 1e-14);
+    EXPECT_NEAR(path.distance, matrix(0, to), carried * matrix(0, to));
     EXPECT_EQ(session.audit_path(ends[0], ends[1], path), std::vector<std::string>{});
     ASSERT_EQ(path.points.size(), path.positions.size());
     if (to == 7) continue;
@@ -34,7 +37,7 @@ TEST_F(SmoothMetric, HasThePathsOfItsDistances) {
     EXPECT_EQ(session.audit_path(ends[0], ends[1], wrong).size(), 1u);
   }
   PathJob job{.input = file_, .settings = settings(), .from = "7", .to = "100", .out = folder_ / "p.csv"};
-  EXPECT_NEAR(run_path(job, silent_observer()).distance, matrix(0, 100), 1e-14);
+  EXPECT_NEAR(run_path(job, silent_observer()).distance, matrix(0, 100), carried * matrix(0, 100));
 }
 
 TEST_F(SmoothMetric, WritesTheFlatPathBesideTheCurve) {
@@ -70,10 +73,12 @@ TEST_F(SmoothMetric, NamesTheSourceThatIsNearestOnTheSmoothSurface) {
     for (std::size_t j = 0; j < all.size(); ++j) {
       double least = infinity;
       for (std::size_t i = 0; i < sources.size(); ++i) least = std::min(least, rows[i * all.size() + j]);
-      EXPECT_EQ(nearest[j].reach == Reach::reached, least <= limit) << j;
+      if (std::abs(least / limit - 1) > carried) {
+        EXPECT_EQ(nearest[j].reach == Reach::reached, least <= limit) << j;
+      }
       if (nearest[j].reach != Reach::reached) continue;
-      EXPECT_NEAR(nearest[j].value, least, 1e-13) << j;
-      EXPECT_NEAR(rows[nearest[j].source * all.size() + j], least, 1e-13) << j;
+      EXPECT_NEAR(nearest[j].value, least, carried * least) << j;
+      EXPECT_NEAR(rows[nearest[j].source * all.size() + j], least, carried * least) << j;
       ++reached, renamed += nearest[j].source != on_triangles[j].source;
     }
     EXPECT_GT(renamed, 0u);
@@ -153,7 +158,8 @@ TEST_F(SmoothMetric, OfAPointBesideAMeshIsOfTheClosestOnTheSmoothSurface) {
   const Session session(folder_ / "m.ply", settings());
   const auto named = session.select(std::span(points_).first(60));
   const std::vector<double> d = session.distances({&named[0], 1}, named);
-  for (std::size_t j = 1; j < named.size(); ++j) EXPECT_NEAR(d[j], arc(points_[0], points_[j]), 2e-5) << j;
+  for (std::size_t j = 1; j < named.size(); ++j)
+    EXPECT_NEAR(d[j], arc(points_[0], points_[j]), (1 + d[j]) * carried) << j;
 }
 
 }  // namespace

@@ -92,7 +92,8 @@ TEST(FrontMarch, HasTheArcsOfPointsOfFaces) {
     const SurfacePoint to{face, {0.2, 0.3, 0.5}};
     const SmoothPoint above = sphere.above(to);
     const double d = arc(sphere.above(from).position, above.position);
-    EXPECT_NEAR(sphere.march.at(to, above).distance, d, 1e-6 * d) << face;
+    const double most = d < 2.9 ? 1e-6 : 1e-5;  // all ways are equally long to the antipode
+    EXPECT_NEAR(sphere.march.at(to, above).distance, d, most * d) << face;
   }
 }
 
@@ -101,20 +102,21 @@ TEST(FrontMarch, IsExactInAPlaneWithABorder) {
   plane.run(plane.mesh->at_vertex(40));
   for (Index v = 0; v < plane.mesh->vertex_count(); ++v)
     EXPECT_NEAR(plane.march.at_vertex(v).distance, distance(plane.mesh->positions()[40], plane.mesh->positions()[v]),
-                1e-12);
+                1e-11);
 }
 
 template <class Shape>
-void expect_high_order(const Shape& shape) {
+void expect_the_lengths_of_paths(const Shape& shape) {
   Marched<Shape> coarse(mesh_of(shape, 1280), shape), fine(mesh_of(shape, 5120), shape);
   coarse.run(coarse.mesh->at_vertex(3)), fine.run(fine.mesh->at_vertex(3));
-  EXPECT_LT(fine.against_paths(0.5).first, coarse.against_paths(0.5).first / 8);
-  EXPECT_LT(fine.against_paths(0.5).first, 3e-6);
+  EXPECT_LT(fine.against_paths(0.5).first, 1e-6);
+  EXPECT_LT(coarse.against_paths(0.5).first, 1e-5);
+  EXPECT_LT(fine.march.paths(), fine.mesh->vertex_count() / 20) << "all else was carried";
 }
 
-TEST(FrontMarch, ApproachesShortenedPathsOfAnEllipsoid) { expect_high_order(Ellipsoid{0.8, 0.6}); }
+TEST(FrontMarch, HasTheLengthsOfPathsOfAnEllipsoid) { expect_the_lengths_of_paths(Ellipsoid{0.8, 0.6}); }
 
-TEST(FrontMarch, ApproachesShortenedPathsOfAStarShapedBody) { expect_high_order(Star{}); }
+TEST(FrontMarch, HasTheLengthsOfPathsOfAStarShapedBody) { expect_the_lengths_of_paths(Star{}); }
 
 TEST(FrontMarch, TakesTheNearerWayWhereThePathOnTheTrianglesIsTheLongerOne) {
   Marched<Torus> torus(mesh_of(Torus{}, 3000));
@@ -139,7 +141,9 @@ TEST(FrontMarch, ShortensPathsOverFacesThatAreNotTrusted) {
   sphere.run(mesh->at_vertex(top));
   for (Index v = 0; v < mesh->vertex_count(); ++v) {
     const FrontPoint path = sphere.shortened(mesh->at_vertex(v)), &found = sphere.march.at_vertex(v);
-    if (mesh->positions()[v].z < 0) EXPECT_EQ(found.distance, path.distance);
+    if (mesh->positions()[v].z < 0) {
+      EXPECT_EQ(found.distance, path.distance);
+    }
     EXPECT_NEAR(found.distance, path.distance, 1e-5 * path.distance);
     EXPECT_NEAR(found.flat, path.flat, 1e-12);
   }

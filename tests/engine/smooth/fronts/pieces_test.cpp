@@ -2,6 +2,7 @@
 // What a march is made of: spreading geodesics, directions, rays, curves above edges, distances along them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/smooth/fronts/arrival.hpp"
@@ -78,8 +79,9 @@ TEST(Ray, LeavesAVertexIntoTheFaceThatHoldsIt) {
   const MeshPtr mesh = shaken(plane_grid(6, true), 0, 2);
   const SmoothCharts charts(mesh, std::make_shared<const AnalyticSurface<Plane>>(mesh));
   const EdgeCurves curves(charts);
-  Index inner = 0;
-  while (std::abs(mesh->positions()[inner].x - 0.5) > 0.2 || std::abs(mesh->positions()[inner].y - 0.5) > 0.2) ++inner;
+  const auto from_middle = [](const Vec3& p) { return distance(p, {3, 3, 0}); };
+  const Index inner =
+      static_cast<Index>(std::ranges::min_element(mesh->positions(), {}, from_middle) - mesh->positions().begin());
   for (int k = 0; k < 16; ++k) {
     const Vec3 direction{std::cos(0.4 * k + 0.1), std::sin(0.4 * k + 0.1), 0};
     const auto ray = ray_from(*mesh, curves.starting_at(inner), direction);
