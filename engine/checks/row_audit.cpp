@@ -41,7 +41,7 @@ void RowAudit::hear(std::uint64_t source, const SourceSurface& on, std::span<con
     found = audit_vertices(*on.mesh, vertices, factor, max_distance_ - on.source.start, {&from, 1},
                            "source " + on.source.label);
   const std::lock_guard lock(mutex_);
-  if (std::ranges::find(chosen_, source) != chosen_.end()) {
+  if (looks_at(source)) {
     heard_[source].assign(vertices.begin(), vertices.end());
     rows_[source].assign(row.begin(), row.end());
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -31,6 +32,9 @@ class RowAudit {
 
   /// The places of the sources whose rows `judge` wants.
   std::span<const std::size_t> sources() const noexcept { return chosen_; }
+
+  /// `sources()` holds it: its row is looked at.
+  bool looks_at(std::uint64_t source) const { return std::ranges::find(chosen_, source) != chosen_.end(); }
 
   /// What the search from a source found at the vertices, without the start distance, and the row that was read from
   /// it. Thread-safe. O(F).

@@ -59,12 +59,15 @@ Distance by_search(const ShortestPathMap& map, const Starts& starts, std::span<c
 
 /// By the map of a search from that source alone; null where none is needed.
 void read_row(const ShortestPathMap* map, const NamedPoint& source, const TargetList& targets, double max_distance,
-              std::span<double> row) {
+              Reading reading, std::span<double> row) {
   const DistanceRule rule{targets.bounded(), max_distance};
   for (std::size_t j = 0; j < row.size(); ++j) {
     const NamedPoint& target = targets.named()[j];
-    const double along =
-        surface_distance(source.place, target.place, [&] { return map ? targets.read(*map, j) : infinity; });
+    const bool reads = reading == Reading::all || target.place.vertex != no_index;
+    const double along = surface_distance(source.place, target.place, [&] {
+      if (!map) return infinity;
+      return reads ? targets.read(*map, j) : 0;
+    });
     row[j] = rule(along + source.start, source, target);
   }
 }
@@ -78,7 +81,7 @@ void throw_no_distance(double value, const std::string& whose) {
 
 const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
                                     const TargetList& targets, double max_distance, RunContext& context,
-                                    std::span<double> row, Keep keep) {
+                                    std::span<double> row, Keep keep, Reading reading) {
   // With a single source its start distance only shifts the row, so no solver needs to know of it.
   const double radius = max_distance - source.start;
   const ShortestPathMap* map = nullptr;
@@ -87,7 +90,7 @@ const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search
     const Request request{.radius = radius, .targets = targets.points(), .keep = keep};
     map = &run_search(solver, search, {&from, 1}, request, context);
   }
-  cross_boundary(solver.plugin.info, [&] { read_row(map, source, targets, max_distance, row); });
+  cross_boundary(solver.plugin.info, [&] { read_row(map, source, targets, max_distance, reading, row); });
   return map;
 }
 

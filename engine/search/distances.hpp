@@ -46,12 +46,16 @@ struct DistanceRule {
   }
 };
 
+/// Which targets of a row are read from a map: all, or those at vertices only, where a row is to be replaced by what is
+/// carried over a smooth surface; then the others have a number only if they may be within the limit.
+enum class Reading { all, vertices };
+
 /// Fills one row: the distances of all targets from one source, on the triangles. Returns the map it was read from,
 /// which started at 0, valid until the next run of the search; null if none was needed. Throws what the solver throws,
 /// NumericalError for what is no distance.
 const ShortestPathMap* distance_row(const PreparedSolver& solver, Search& search, const NamedPoint& source,
                                     const TargetList& targets, double max_distance, RunContext& context,
-                                    std::span<double> row, Keep keep = Keep::targets);
+                                    std::span<double> row, Keep keep = Keep::targets, Reading reading = Reading::all);
 
 /// Is told the map of the search from all sources, null if no search was needed, and what became of it.
 using WatchNearest = std::function<void(const ShortestPathMap* map, std::span<const Distance> nearest)>;

@@ -87,7 +87,7 @@ void compare_sources(const PreparedSolver& solver, std::span<const NamedPoint> s
     if (sources[i].place.state != Place::State::on_surface) continue;
     double reach = contest.reach(i);
     if (!(reach > 0)) continue;
-    if (!solver.provides(Provides::radius_limit)) reach = infinity;
+    reach = solver.provides(Provides::radius_limit) ? reach + solver.smooth->around : infinity;
     const ShortestPathMap* map = distance_row(solver, *search, sources[i], targets, reach, within, row, Keep::map);
     ++nearest.compared;
     if (!contest.leave_open(i, row)) continue;

@@ -34,8 +34,10 @@ void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64
   const std::span<double> distances = row.first(targets);
   const bool smooth = solver.smooth != nullptr;
   const double radius = searched_radius(solver, max_distance_);
+  const bool marches = smooth && solver.smooth->curves && extras_.looks_at_row && !extras_.looks_at_row(i);
+  const Reading reading = marches ? Reading::vertices : Reading::all;
   const ShortestPathMap* map = distance_row(solver, search, on.source, *on.targets, radius, context_, distances,
-                                            smooth ? Keep::map : Keep::targets);
+                                            smooth ? Keep::map : Keep::targets, reading);
   if (extras_.bounds)
     cross_boundary(solver.plugin.info, [&] {
       read_lower_bounds(solver, map, on.source, *on.targets, max_distance_, distances, row.subspan(targets));
@@ -43,7 +45,7 @@ void RowMaker::measure(const PreparedSolver& solver, Search& search, std::uint64
   if (!map) return;
   counters_.add(solver_, *map);
   if (extras_.watch) extras_.watch(i, on, *map, distances);
-  if (smooth) smooth_[i] = smooth_row(solver, *map, on.source, *on.targets, max_distance_, distances);
+  if (smooth) smooth_[i] = smooth_row(solver, *map, on.source, *on.targets, max_distance_, distances, reading);
 }
 
 std::optional<SmoothFigures> RowMaker::smooth() const {

@@ -38,6 +38,8 @@ using WatchRows = std::function<void(std::uint64_t i, const SourceSurface& on, c
 struct RowExtras {
   bool bounds = false;  ///< each row is followed by that of its lower bounds: see `read_lower_bounds`
   WatchRows watch;      ///< may be empty
+  /// Whether `watch` looks at the row of source i; else only the distances of vertices need be in it. Empty: always.
+  std::function<bool(std::uint64_t i)> looks_at_row;
 };
 
 /// Makes single rows of distances, each from one source to all targets, on whatever surface the rule gives the source:

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "engine/formats/number_text.hpp"
+#include "engine/search/nearest_sources.hpp"
 #include "engine/smooth/fronts/march.hpp"
 #include "engine/smooth/fronts/path_end.hpp"
-#include "engine/search/nearest_sources.hpp"
 
 namespace geodrome {
 
@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t nodes_at_once = 2048;
 
 void check(const SmoothLength& path, const NamedPoint& target) {
-  if (!is_distance(path.length) || !is_distance(path.error.value()))
+  if (!(path.length >= 0 && path.length < infinity) || !is_distance(path.error.value()))
     throw NumericalError("gave a smooth surface on which the path to target " + target.label + " is " +
                              number_text(path.length) + " long",
                          "choose another tangent estimator, and report this to the author of the plugin");
@@ -34,6 +34,10 @@ class ManyPaths {
   void add(const ShortestPathMap& map, std::size_t target) {
     cross_boundary(solver_.plugin.info, [&] {
       map.path(targets_.named()[target].place.at, path_);
+      if (path_.empty())
+        throw NumericalError(
+            "gave no path to target " + targets_.named()[target].label + ", which it has a distance of",
+            "choose another solver, and report this to the author of the plugin");
       shortening_.add(path_);
     });
     waiting_.push_back(target);
@@ -135,27 +139,34 @@ class ShortenedPaths {
 
 /// Carries the distances from the source to the vertices, and from there to the targets.
 SmoothFigures marched_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
-                          const TargetList& targets, double max_distance, std::span<double> row) {
+                          const TargetList& targets, double max_distance, std::span<double> row, Reading reading) {
   SmoothFigures figures;
   const DistanceRule rule{targets.bounded(), max_distance};
   ShortenedPaths paths(solver, map);
   FrontMarch march(*solver.smooth->curves);
   march.run(map.vertices(), source.place.at, [&](const SurfacePoint& at) { return paths.find(at); });
-  const auto take = [&](std::size_t j, const FrontPoint& found) {
+  const auto take = [&](std::size_t j, const FrontPoint& found, bool is_read) {
     const double flat = row[j];
-    const double along = flat - source.start;
-    SmoothLength length{.length = found.distance, .flat = along, .smooth = along - found.flat, .error = found.error};
+    const double along = is_read ? flat - source.start : found.distance;
+    SmoothLength length{.length = found.distance,
+                        .flat = along,
+                        .smooth = std::max(0.0, along - found.flat),
+                        .error = found.error,
+                        .moved = found.moved};
     length.error.add_carried(found.carried);
-    check(length, targets.named()[j]);
-    figures.add(length);
+    if (is_read || found.known()) cross_boundary(solver.smooth->plugin, [&] { check(length, targets.named()[j]); });
     row[j] = rule(found.distance + source.start, source, targets.named()[j]);
+    if (!found.known()) return;
+    if (!is_read) return figures.add_alone(length);
+    figures.add(length);
     note_change(figures, flat, row[j]);
   };
   for (std::size_t j = 0; j < row.size(); ++j)
     if (const Place& place = targets.named()[j].place; place.vertex != no_index && is_measured(targets, row, j))
-      take(j, march.at_vertex(place.vertex));
+      take(j, march.at_vertex(place.vertex), true);
   for (const std::size_t j : targets.by_face())
-    if (is_measured(targets, row, j)) take(j, march.at(targets.named()[j].place.at, targets.above(j)));
+    if (is_measured(targets, row, j))
+      take(j, march.at(targets.named()[j].place.at, targets.above(j)), reading == Reading::all);
   return figures;
 }
 
@@ -163,15 +174,21 @@ SmoothFigures marched_row(const PreparedSolver& solver, const ShortestPathMap& m
 
 void SmoothFigures::add(const SmoothLength& path) {
   if (!(path.flat > 0)) return;
-  const double change = std::abs(path.length / path.flat - 1), off = path.error.value();
+  const double change = std::abs(path.length / path.flat - 1);
+  ++compared, correction += change, largest_correction = std::max(largest_correction, change);
+  add_alone(path);
+}
+
+void SmoothFigures::add_alone(const SmoothLength& path) {
+  if (!(path.flat > 0)) return;
+  const double off = path.error.value();
   ++paths, left += !path.moved;
   flat += path.flat, smooth += path.smooth;
-  correction += change, largest_correction = std::max(largest_correction, change);
   error += off, largest_error = std::max(largest_error, off / path.flat);
 }
 
 void SmoothFigures::add(const SmoothFigures& other) {
-  paths += other.paths, left += other.left;
+  paths += other.paths, left += other.left, compared += other.compared;
   flat += other.flat, smooth += other.smooth;
   correction += other.correction, largest_correction = std::max(largest_correction, other.largest_correction);
   error += other.error, largest_error = std::max(largest_error, other.largest_error);
@@ -183,8 +200,8 @@ double searched_radius(const PreparedSolver& solver, double max_distance) {
 }
 
 SmoothFigures smooth_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
-                         const TargetList& targets, double max_distance, std::span<double> row) {
-  return solver.smooth->curves ? marched_row(solver, map, source, targets, max_distance, row)
+                         const TargetList& targets, double max_distance, std::span<double> row, Reading reading) {
+  return solver.smooth->curves ? marched_row(solver, map, source, targets, max_distance, row, reading)
                                : traced_row(solver, map, source, targets, max_distance, row);
 }
 

@@ -27,7 +27,8 @@ struct SmoothFigures {
   std::uint64_t paths = 0;        ///< of a length above 0
   std::uint64_t left = 0;         ///< of which a part stayed above the flat path: no step made it shorter
   double flat = 0, smooth = 0;    ///< lengths of the flat paths, and of what of them lies on trusted faces
-  double correction = 0;          ///< sum of |length / flat - 1|
+  std::uint64_t compared = 0;     ///< of which the flat distance was read
+  double correction = 0;          ///< of these, sum of |length / flat - 1|
   double largest_correction = 0;  ///< of these
   double error = 0;               ///< sum of the estimated errors of lengths
   double largest_error = 0;       ///< of an estimated error over the length
@@ -36,18 +37,21 @@ struct SmoothFigures {
   /// Of the length of the flat paths, what lies on trusted faces; 0 of none.
   double share() const { return flat > 0 ? smooth / flat : 0; }
   /// Over the paths; 0 of none.
-  double mean_correction() const { return paths > 0 ? correction / static_cast<double>(paths) : 0; }
+  double mean_correction() const { return compared > 0 ? correction / static_cast<double>(compared) : 0; }
   /// The estimated error over the length, in the mean over the paths, by their lengths: of far pairs; 0 of none.
   double mean_error() const { return flat > 0 ? error / flat : 0; }
   void add(const SmoothLength& path);
+  /// Without its flat distance, in whose place `path` has its length.
+  void add_alone(const SmoothLength& path);
   void add(const SmoothFigures& other);
 };
 
 /// Replaces the flat distances of a row, which `distance_row` read from this map, by smooth ones. Precondition: the
 /// solver has a smooth metric and paths, and the map was kept. Throws as `trace_path`, what the surface throws, and
-/// NumericalError for a length that is no number.
+/// NumericalError for a length that is no number. `reading`: how the row was read; without curves of edges: all of it.
 SmoothFigures smooth_row(const PreparedSolver& solver, const ShortestPathMap& map, const NamedPoint& source,
-                         const TargetList& targets, double max_distance, std::span<double> row);
+                         const TargetList& targets, double max_distance, std::span<double> row,
+                         Reading reading = Reading::all);
 
 /// The distances from the nearest of several sources, under the metric of the solver.
 struct MeasuredNearest {

@@ -21,7 +21,7 @@ std::vector<SmoothPoint> points_above(std::span<const SurfacePoint> points, cons
   std::vector<std::size_t> number;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const auto [p, q, r] = surface.mesh->corners(points[k].face);
-    if (!(smooth.deviation(points[k].face) < infinity)) continue;
+    if (!(smooth.deviation(points[k].face) < infinity) || squared_norm(cross(q - p, r - p)) == 0) continue;
     places.push_back({points[k], (q - p) / norm(q - p)}), number.push_back(k);
   }
   std::vector<SmoothPoint> found(places.size()), above(points.size());

@@ -189,10 +189,11 @@ void EdgeCurves::bend_edges() {
   std::vector<SmoothPlace> places(2);
   std::vector<SmoothPoint> points(2);
   for (Index h = 0; h < edge_of_.size(); ++h) {
-    if (!edges_[edge_of_[h]].trusted) continue;
+    if (!charts_.trusts(h / 3)) continue;
     places[0] = place_on(mesh(), h, 0.5), places[1] = across(mesh(), places[0]);
     charts_.surface().evaluate(places, points);
-    const double share = mesh().twins()[h] == no_index ? 1 : 0.5;
+    const Index twin = mesh().twins()[h];
+    const double share = twin == no_index || !charts_.trusts(twin / 3) ? 1 : 0.5;
     curvature_[edge_of_[h]] += share * curvature_of(turn_of(points[0], points[1]));
   }
 }

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/smooth/fronts/arrival.hpp"
 #include "engine/smooth/fronts/spread.hpp"
-#include "engine/smooth/piece_length.hpp"
 
 namespace geodrome {
 
@@ -23,6 +21,8 @@ constexpr double one_way = 0.99;
 /// A path that crosses an edge this far outside is looked for at the edge beside it; if it leads back, it runs by the
 /// vertex between them, and either edge will do.
 constexpr double outside = 0.01, by_the_vertex = 0.2;
+/// Pieces of fewer spacings turn by no more than the normals of curve and face differ: nothing is estimated of them.
+constexpr double shortest = 0.01;
 constexpr int most_tries = 4, most_faces = 6;
 
 }  // namespace
@@ -95,11 +95,11 @@ FrontPoint FrontField::beyond(const Met& met, const FrontTarget& target, const C
       .carried = (1 - share) * from.carried + share * to.carried + left_of_doubt * met.front.doubt() * curve.length,
       .error = LengthError::between(from.error, to.error, share),
       .flat = (1 - share) * from.flat + share * to.flat};
+  const SmoothCharts& charts = curves_.charts();
   const Index face = met.ray.half_edge / 3;
-  point.error.add_smooth(curves_.charts().expected_error(face), crossing.turn,
-                         crossing.length / curves_.charts().spacing(face));
+  const double spacings = crossing.length / charts.spacing(face);
+  if (spacings > shortest) point.error.add_smooth(charts.expected_error(face), crossing.turn, spacings);
   if (target.vertex == no_index) return point;
-  if (met.faces == 1) halve(met, target, crossing, point);
   point.bend = bend_beyond(met, target, crossing);
   return point;
 }
@@ -111,37 +111,6 @@ SurfacePoint FrontField::on_edge(const Met& met, double share) const {
   return at;
 }
 
-/// Measures the piece to a vertex by two halves, for what is off there is carried on. The node between them moves
-/// across to where their sum is least.
-void FrontField::halve(const Met& met, const FrontTarget& target, const Crossing& crossing, FrontPoint& point) const {
-  const CurvePoint at = met.front.curve().at(crossing.share);
-  const SmoothPoint begin{at.position, at.normal / norm(at.normal), {}, {}, {}};
-  const SmoothPoint end{target.end.position, target.end.normal, {}, {}, {}};
-  const SmoothPlace place = halfway(met, crossing.share);
-  SmoothPoint middle;
-  curves_.charts().surface().evaluate({&place, 1}, {&middle, 1});
-  const PieceLength before = moving_length(begin, middle), behind = moving_length(middle, end);
-  if (!(before.tt + behind.ss > 0)) return;
-  middle = moved(middle, -(before.t + behind.s) / (before.tt + behind.ss));
-  const double second = length_between(middle, end), length = length_between(begin, middle) + second;
-  point.distance += length + left_by_halving(length, crossing.length) - crossing.length;
-  const Vec3 chord = end.position - middle.position;
-  point.gradient = arriving(chord / norm(chord), second, middle.normal, target.end.normal, *target.end.turn);
-}
-
-/// The middle of a piece within one face, from its edge to the corner beyond, to be moved across the piece.
-SmoothPlace FrontField::halfway(const Met& met, double share) const {
-  const SurfacePoint begin = on_edge(met, share);
-  const int corner = static_cast<int>((met.ray.half_edge % 3 + 2) % 3);
-  SmoothPlace place{{begin.face, {begin.b[0] / 2, begin.b[1] / 2, begin.b[2] / 2}}, {}};
-  place.at.b[corner] += 0.5;
-  const std::array<Vec3, 3> corners = curves_.mesh().corners(begin.face);
-  const Vec3 across =
-      cross(cross(corners[1] - corners[0], corners[2] - corners[0]), corners[corner] - curves_.mesh().position(begin));
-  place.direction = across / norm(across);
-  return place;
-}
-
 double FrontField::bend_beyond(const Met& met, const FrontTarget& target, const Crossing& crossing) const {
   const EdgeCurve& curve = met.front.curve();
   const double share = std::clamp(crossing.share, 0.0, 1.0);
@@ -150,8 +119,10 @@ double FrontField::bend_beyond(const Met& met, const FrontTarget& target, const 
     spread = ((1 - share) * points_[curve.from].bend + share * points_[curve.to].bend) /
              (crossing.distance - crossing.length);
   const SurfacePoint begin = on_edge(met, share);
+  SurfacePoint middle{begin.face, {begin.b[0] / 2, begin.b[1] / 2, begin.b[2] / 2}};
+  middle.b[(met.ray.half_edge + 2) % 3] += 0.5;  // of the corner beyond
   const double at_begin = curves_.curvature(begin), at_end = curves_.vertex(target.vertex).curvature;
-  const double between = met.faces == 1 ? curves_.curvature(halfway(met, share).at) : (at_begin + at_end) / 2;
+  const double between = met.faces == 1 ? curves_.curvature(middle) : (at_begin + at_end) / 2;
   const Spread end = Spread{1, spread}.after(crossing.length, {at_begin, between, at_end});
   return end.apart > 0 ? crossing.distance * end.slope / end.apart : std::numeric_limits<double>::quiet_NaN();
 }

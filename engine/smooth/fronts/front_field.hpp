@@ -55,8 +55,6 @@ class FrontField {
   std::optional<EdgeFront> front_of(Index half_edge) const;
   FrontPoint beyond(const Met& met, const FrontTarget& target, const Crossing& crossing) const;
   SurfacePoint on_edge(const Met& met, double share) const;
-  SmoothPlace halfway(const Met& met, double share) const;
-  void halve(const Met& met, const FrontTarget& target, const Crossing& crossing, FrontPoint& point) const;
   double bend_beyond(const Met& met, const FrontTarget& target, const Crossing& crossing) const;
 
   const EdgeCurves& curves_;

@@ -18,6 +18,7 @@ struct FrontPoint {
   double carried = 0;  ///< estimated: by how much steps since the last path of its own have changed the distance
   LengthError error;   ///< of the distance, but for what steps have changed
   double flat = 0;     ///< of the way here, the length that lies on flat faces
+  bool moved = true;   ///< false if a part of its own path stayed above the flat one (SmoothLength)
 
   bool known() const { return distance < infinity; }
   bool goes_on() const { return bend == bend; }

@@ -19,6 +19,7 @@ constexpr double most_carried = 1e-5;
 void FrontMarch::run(std::span<const double> flat, const SurfacePoint& source, Shortened shortened) {
   shortened_ = std::move(shortened), source_ = source;
   field_.clear(), order_.clear(), met_.clear();
+  is_met_.assign(flat.size(), false);
   find_source();
   for (Index v = 0; v < flat.size(); ++v)
     if (flat[v] < infinity) order_.push_back(v);
@@ -36,9 +37,10 @@ void FrontMarch::find_source() {
     for (const Index h : curves.starting_at(v))
       if (curves.charts().on_face(source_, h / 3))
         for (const Index corner : curves.mesh().triangles()[h / 3]) at_source_.push_back(corner);
+  std::ranges::sort(at_source_);
 }
 
-bool FrontMarch::is_at_source(Index v) const { return std::ranges::find(at_source_, v) != at_source_.end(); }
+bool FrontMarch::is_at_source(Index v) const { return std::ranges::binary_search(at_source_, v); }
 
 FrontPoint FrontMarch::along_path(const SurfacePoint& at) {
   ++paths_;
@@ -71,6 +73,12 @@ bool FrontMarch::agree() const {
   return std::ranges::all_of(forecasts_, [&](const Forecast& one) { return one.same_way(forecasts_[0]); });
 }
 
+void FrontMarch::note_meeting(Index v) {
+  if (is_met_[v]) return;
+  is_met_[v] = true;
+  met_.push_back(v);
+}
+
 void FrontMarch::reach(Index v) {
   const EdgeCurves& curves = field_.curves();
   FrontPoint found;
@@ -79,9 +87,9 @@ void FrontMarch::reach(Index v) {
     const auto nearest = std::ranges::min_element(forecasts_, {}, &Forecast::squared);
     found = field_.arrive(field_.target(v), -nearest->half);
     if (!agree()) {
-      met_.push_back(v);
+      note_meeting(v);
       for (const Index h : curves.starting_at(v))
-        if (field_[curves.mesh().to(h)].known()) met_.push_back(curves.mesh().to(h));
+        if (field_[curves.mesh().to(h)].known()) note_meeting(curves.mesh().to(h));
     }
   }
   if (!found.known() || found.carried > most_carried * found.distance) found = along_path(curves.mesh().at_vertex(v));
@@ -94,16 +102,17 @@ void FrontMarch::reconsider(Index v) {
   forecast_at(v);
   FrontPoint other;
   nearest_of_all(field_.target(v), other);
-  if (other.distance < field_[v].distance) field_.set(v, other);
+  if (other.distance + other.carried < field_[v].distance) field_.set(v, other);
 }
 
 /// Finds the nearest by all ways that the forecasts tell apart. Returns false if one of them is not known behind.
-bool FrontMarch::nearest_of_all(const FrontTarget& target, FrontPoint& best) const {
+bool FrontMarch::nearest_of_all(const FrontTarget& target, FrontPoint& best) {
   bool all = true;
-  for (std::size_t i = 0; i < forecasts_.size(); ++i) {
-    const std::span before(forecasts_.data(), i);
-    if (std::ranges::any_of(before, [&](const Forecast& other) { return other.same_way(forecasts_[i]); })) continue;
-    const FrontPoint found = field_.arrive(target, -forecasts_[i].half);
+  ways_.clear();
+  for (const Forecast& forecast : forecasts_) {
+    if (std::ranges::any_of(ways_, [&](const Forecast& other) { return other.same_way(forecast); })) continue;
+    ways_.push_back(forecast);
+    const FrontPoint found = field_.arrive(target, -forecast.half);
     all &= found.known();
     if (found.distance < best.distance) best = found;
   }
@@ -119,7 +128,7 @@ FrontPoint FrontMarch::at(const SurfacePoint& point, const SmoothPoint& above) {
   FrontPoint found;
   if (nearest_of_all({point, no_index, {above.position, above.normal}}, found) && forecasts_.size() == 3) return found;
   const FrontPoint path = along_path(point);
-  return path.distance < found.distance ? path : found;
+  return path.distance < found.distance + found.carried ? path : found;
 }
 
 }  // namespace geodrome

@@ -42,16 +42,18 @@ class FrontMarch {
   bool is_at_source(Index v) const;
   bool forecast_at(Index v);
   bool agree() const;
+  void note_meeting(Index v);
   void reach(Index v);
   void reconsider(Index v);
-  bool nearest_of_all(const FrontTarget& target, FrontPoint& best) const;
+  bool nearest_of_all(const FrontTarget& target, FrontPoint& best);
 
   FrontField field_;
   Shortened shortened_;
   SurfacePoint source_;
   std::vector<Index> order_, at_source_;
-  std::vector<Index> met_;  // vertices where different ways meet, perhaps more than once
-  std::vector<Forecast> forecasts_;
+  std::vector<Index> met_;                  // vertices where different ways meet
+  std::vector<char> is_met_;                // per vertex
+  std::vector<Forecast> forecasts_, ways_;  // ways_: of these, those that differ
   std::size_t paths_ = 0;
 };
 

@@ -32,7 +32,8 @@ Spread spread_at_begin(const EdgeCurves& curves, std::span<const CurveNode> node
 
 FrontPoint front_at_end(const EdgeCurves& curves, Shortening& shortening, std::size_t path, Index vertex) {
   const SmoothLength& length = shortening.lengths()[path];
-  FrontPoint point{.distance = length.length, .error = length.error, .flat = length.flat - length.smooth};
+  FrontPoint point{
+      .distance = length.length, .error = length.error, .flat = length.flat - length.smooth, .moved = length.moved};
   const auto curve = shortening.smooth_curve(path);
   if (!curve || vertex == no_index) return point;
   const auto [nodes, points] = *curve;

@@ -97,12 +97,13 @@ TEST(FrontMarch, HasTheArcsOfPointsOfFaces) {
   }
 }
 
-TEST(FrontMarch, IsExactInAPlaneWithABorder) {
+TEST(FrontMarch, HasStraightLinesInAPlaneWithABorder) {
   Marched<Plane> plane(shaken(plane_grid(12, true), 0, 1));
   plane.run(plane.mesh->at_vertex(40));
   for (Index v = 0; v < plane.mesh->vertex_count(); ++v)
     EXPECT_NEAR(plane.march.at_vertex(v).distance, distance(plane.mesh->positions()[40], plane.mesh->positions()[v]),
-                1e-11);
+                1e-9)
+        << "steps of Newton's method end at 1e-5 of an edge, whose square counts";
 }
 
 template <class Shape>
