@@ -275,9 +275,9 @@ std::vector<std::string> Session::audit_path(const NamedPoint& from, const Named
 
 std::vector<std::string> Session::audit_pairs(std::span<const NamedPair> pairs,
                                               std::span<const double> distances) const {
-  if (pairs.size() != distances.size())
+  if (const std::size_t n = pairs.size(); n != distances.size())
     throw OptionError(
-        "there are " + std::to_string(distances.size()) + " distances, but " + std::to_string(pairs.size()) + " pairs",
+        "there are " + std::to_string(distances.size()) + " distances, but " + std::to_string(n) + " pairs",
         "give what `pairs` gave");
   if (impl_->settings.metric == Metric::smooth)
     return audit_searched(surface(), impl_->prepared(), pairs, distances, impl_->settings, impl_->observer);
@@ -293,10 +293,9 @@ std::vector<double> Session::pairs(std::span<const NamedPair> pairs) const {
       throw OptionError("pair " + std::to_string(i) + " has a start distance, which pairs have not", "set it to 0");
   if (impl_->settings.metric == Metric::smooth)
     return search_pairs(surface(), impl_->prepared(), pairs, impl_->settings, impl_->observer).smooth;
-  const PairOracle& oracle = *impl_->oracle().oracle;
   const unsigned threads = thread_count(impl_->settings);
   StageContext context = impl_->context("queries", threads);
-  return ask_pairs(surface(), impl_->prepared(), oracle, pairs, threads, context);
+  return ask_pairs(surface(), impl_->prepared(), *impl_->oracle().oracle, pairs, threads, context);
 }
 
 }  // namespace geodrome
