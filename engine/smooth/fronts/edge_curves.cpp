@@ -52,6 +52,15 @@ SmoothPlace across(const SurfaceMesh& mesh, SmoothPlace place) {
   return place;
 }
 
+/// The surface above a place on a half-edge, with its derivatives along and across.
+std::array<SmoothPoint, 2> two_ways(const SmoothCharts& charts, Index half_edge, double share) {
+  std::array<SmoothPlace, 2> places;
+  places[0] = place_on(charts.mesh(), half_edge, share), places[1] = across(charts.mesh(), places[0]);
+  std::array<SmoothPoint, 2> points;
+  charts.surface().evaluate(places, points);
+  return points;
+}
+
 /// How the normal changes, from its changes along two directions.
 std::array<Vec3, 3> turn_of(const SmoothPoint& d, const SmoothPoint& e) {
   const double dd = dot(d.velocity, d.velocity), de = dot(d.velocity, e.velocity), ee = dot(e.velocity, e.velocity);
@@ -163,16 +172,13 @@ void EdgeCurves::trace_edges() {
 
 void EdgeCurves::shape_vertices() {
   vertices_.resize(mesh().vertex_count());
-  std::vector<SmoothPlace> places(2);
-  std::vector<SmoothPoint> points(2);
   for (Index v = 0; v < vertices_.size(); ++v) {
     VertexShape& vertex = vertices_[v];
     vertex.position = mesh().positions()[v];
     double faces = 0;
     for (const Index h : starting_at(v)) {
       if (!charts_.trusts(h / 3)) continue;
-      places[0] = place_on(mesh(), h, 0), places[1] = across(mesh(), places[0]);
-      charts_.surface().evaluate(places, points);
+      const std::array<SmoothPoint, 2> points = two_ways(charts_, h, 0);
       vertex.position = points[0].position, vertex.normal = vertex.normal + points[0].normal;
       vertex.turn = sum(vertex.turn, turn_of(points[0], points[1]));
       ++faces;
@@ -186,12 +192,9 @@ void EdgeCurves::shape_vertices() {
 
 void EdgeCurves::bend_edges() {
   curvature_.resize(edges_.size());
-  std::vector<SmoothPlace> places(2);
-  std::vector<SmoothPoint> points(2);
   for (Index h = 0; h < edge_of_.size(); ++h) {
     if (!charts_.trusts(h / 3)) continue;
-    places[0] = place_on(mesh(), h, 0.5), places[1] = across(mesh(), places[0]);
-    charts_.surface().evaluate(places, points);
+    const std::array<SmoothPoint, 2> points = two_ways(charts_, h, 0.5);
     const Index twin = mesh().twins()[h];
     const double share = twin == no_index || !charts_.trusts(twin / 3) ? 1 : 0.5;
     curvature_[edge_of_[h]] += share * curvature_of(turn_of(points[0], points[1]));
